@@ -90,7 +90,7 @@ def learn(
     joints = [robot.drives[k].joint for k in places]
     progress("linear model", 0.0)
     aim, first = _aimed(robot, places, times, by)
-    left, sizes, right = np.linalg.svd(_lifted(robot, joints, times, aim), full_matrices=False)
+    left, sizes, right = np.linalg.svd(_lifted(robot, places, times, aim), full_matrices=False)
     added, tried, found = np.zeros((len(places), samples + 1)), robot, [aim.errors(first)]
     kept, cautions, start = (
         [(added, robot, found[0])],
@@ -169,7 +169,7 @@ def _ran(robot: Robot, until: float) -> RunData:
     return done
 
 
-def _lifted(robot: Robot, joints: list[str], times: Array, aim: _Aim) -> Array:
+def _lifted(robot: Robot, places: list[int], times: Array, aim: _Aim) -> Array:
     """What is to be corrected at all ``times`` but the first, by corrections at these, joint by joint.
 
     Corrections are clamped cubic splines: to the response as lines between fine steps; to sampled controllers held, as
@@ -181,9 +181,10 @@ def _lifted(robot: Robot, joints: list[str], times: Array, aim: _Aim) -> Array:
 
     from tmodes import linearize
 
-    inputs = [f"{joint}.{kind}" for kind in ("setpoint", "setpoint_rate") for joint in joints]
-    plant = linearize(robot, closed=True, inputs=inputs, outputs=aim.names)
-    step, count = plant.period or times[1] / _FINE, len(joints)
+    inputs = [f"{robot.drives[k].joint}.{kind}" for kind in ("setpoint", "setpoint_rate") for k in places]
+    smooth = _corrected(robot, places, times, np.zeros((len(places), len(times))))  # with a rate, whatever the signals
+    plant = linearize(smooth, closed=True, inputs=inputs, outputs=aim.names)
+    step, count = plant.period or times[1] / _FINE, len(places)
     A, B, C, D = plant.A, plant.B, aim.turn[0] @ plant.C, aim.turn[0] @ plant.D
     if not plant.period:
         found: Any = cont2discrete((A, B, C, D), step, "foh")

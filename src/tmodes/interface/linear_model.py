@@ -168,10 +168,10 @@ class LinearModel(Linearization):
         return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
 
     def zeros(self, output: str | None = None, input: str | None = None) -> Complex:  # noqa: A002
-        """Transmission zeros [1/s], of a sampled system in the z plane, from an input to an output; of all without names.
+        """Transmission zeros [1/s], of a sampled system in the z plane, from an input to an output.
 
-        Those at infinity are left out, and between two names those that cancel modes which these do not share. A zero
-        to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
+        Without names of all of them together. Those at infinity are left out, and between two names those that cancel
+        modes which these do not share. A zero to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
         the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
         Raises :class:`tmodes.errors.InputError` for an unknown name, and where inputs and outputs are not as many.
 

@@ -15,7 +15,9 @@ __all__ = [
 ]  # fmt: skip
 
 POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
-ZEROS = {sampled: ("from", "to", f"zeros{plane}", "phase") for sampled, plane in ((False, " [1/s]"), (True, ", z plane"))}
+ZEROS = {
+    sampled: ("from", "to", f"zeros{plane}", "phase") for sampled, plane in ((False, " [1/s]"), (True, ", z plane"))
+}
 LOOPS = ("drive", "gain [dB]", "at [Hz]", "phase [deg]", "at [Hz]", "delay [ms]", "disk", "closed")
 
 _TWICE = 3e-8
