@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from typing import Any, ClassVar, Literal
 
 import pytest
+from pydantic import Field
 
+import tmodes
 from contracts.test_blocks import Sheet, spong
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
@@ -22,10 +24,11 @@ class Faulty(Controller):
     """What it gives is replaced by each case."""
 
     type: Literal["faulty"]
+    gain: float = Field(40.0, strict=False)
     sees_all: ClassVar[bool] = False
 
     def numbers(self) -> tuple[float, ...]:
-        return (40.0, 4.0)
+        return (self.gain, 4.0)
 
     def initial(self) -> tuple[float, ...]:
         return (0.0,)
@@ -110,3 +113,15 @@ def test_a_sensor_is_refused_by_its_name(gives: Any, monkeypatch: pytest.MonkeyP
 def test_without_a_fault_both_run() -> None:
     sensors = [{"name": "a", "type": "faulty", "sample_time": 0.01}]
     assert planned(spong(HELD, 0.02, 0.01, drive={"controller": {"type": "faulty"}}, sensors=sensors)).plan.blocks
+
+
+def test_numbers_of_a_faultless_one_are_followed() -> None:
+    """By derivatives, in which they are no plain numbers."""
+    aim, path, change = tmodes.tracking_error("tip", [0.1, 0.0, -0.4]), "drives.0.controller.gain", 1e-2
+
+    def found(gain: float) -> Any:
+        robot = spong(HELD, 0.2, 0.01, drive={"controller": {"type": "faulty", "gain": gain}})
+        return tmodes.adjoint_gradient(robot, aim, [path])
+
+    less, here, more = (found(40.0 + step) for step in (-change, 0.0, change))
+    assert here.by[path] == pytest.approx((more.value - less.value) / (2 * change), rel=1e-4)

@@ -171,8 +171,8 @@ class LinearModel(Linearization):
         """Transmission zeros [1/s], of a sampled system in the z plane, from an input to an output.
 
         Without names of all of them together. Those at infinity are left out, and between two names those that cancel
-        modes which these do not share. A zero to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
-        the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
+        modes which these do not share. A zero to the right (outside of the unit circle) makes the system non-minimum
+        phase. Method: generalised eigenvalues of the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
         Raises :class:`tmodes.errors.InputError` for an unknown name, and where inputs and outputs are not as many.
 
         >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.motor.position")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from math import isfinite
 from typing import Any, NamedTuple
 
 import casadi as ca
@@ -15,7 +14,7 @@ from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.kinds.controllers.registry import Block, Measured, OwnState
 from tmodes.kinds.kernel.functions import if_else
 from tmodes.kinds.kernel.schedule import Kernel
-from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.functions import isfinite, number
 
 __all__ = ["Delay", "Law", "View"]
 
@@ -302,7 +301,7 @@ def _answered(block: Block, method: str, ask: Callable[[], Any], count: int | No
 
 def _is_finite(one: Any) -> bool:
     try:
-        return isfinite(number(one))
+        return bool(isfinite(number(one)))
     except (TypeError, ValueError):
         return False
 
