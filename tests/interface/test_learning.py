@@ -96,7 +96,7 @@ def test_the_command(tmp_path: Path) -> None:
 
 
 def test_what_can_not_be_learnt() -> None:
-    wrongs: list[dict[str, Any]] = [{"iterations": 0}, {"samples": 5}, {"caution": 0.0}]
+    wrongs: list[dict[str, Any]] = [{"iterations": 0}, {"samples": 5}, {"caution": 0.0}, {"by": "elbow"}]
     for wrong in wrongs:
         with pytest.raises(InputError):
             ARM.learn(**wrong)

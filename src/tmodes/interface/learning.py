@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from math import ceil
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmodes.errors import InputError
 from tmodes.interface.files import write_files
@@ -47,7 +47,7 @@ def learn(
     iterations: int = 5,
     samples: int = 200,
     caution: float = 0.03,
-    by: Literal["joints", "tip"] = "joints",
+    by: str = "joints",
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -80,6 +80,8 @@ def learn(
         low, high = _MOST[name]
         if not low <= value <= high:
             raise InputError(f"--{name}", f"{value}", f"a number from {low} to {high}", "choose one of these")
+    if by not in ("joints", "tip"):
+        raise InputError("--by", f"`{by}`", "joints or tip", "choose one of these")
     if not 1e-6 <= caution <= 10:
         raise InputError("--caution", f"{caution:g}", "a number from 1e-6 to 10", "0.03 is usual")
     places = [k for k, drive in enumerate(robot.drives) if drive.command.is_controlled]
