@@ -608,3 +608,14 @@ def test_integrators_are_named_in_a_column_of_numbers(tmp_path: Path) -> None:
     assert rows[2][3] == "0.0000"
     page = free.linearize().page(tmp_path / "linear.html").read_text(encoding="utf-8")
     assert 'scope="row" class="number">0<' in page
+
+
+def test_zeros_are_printed_in_the_plane_in_which_they_are() -> None:
+    """Of an acceleration two zeros at 0, whatever is rounded; of a sampled model no rates."""
+    spong = tmodes.load("spong1987")
+    accelerations = spong.linearize(inputs="joint.torque", outputs="joint.motor.acceleration")
+    assert str(accelerations).count("0+0i") == 2
+    assert "zeros [1/s]" in str(accelerations)
+    sampled = spong.linearize(inputs="joint.torque", outputs="joint.motor.position", period=1e-3)
+    assert "zeros, z plane" in str(sampled)
+    assert "zeros [1/s]" not in str(sampled)

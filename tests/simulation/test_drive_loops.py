@@ -9,7 +9,9 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError
-from tmodes.simulation.drive_loops import drive_loops
+from tmodes.kinds.controllers.discrete import zero_order_hold
+from tmodes.simulation.drive_loops import drive_loops, loop_warnings, sampled_loops, sampled_margins
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.linear import closed_loop
 
 PERIOD, KP, KV = 5e-3, 40.0, 3.0
@@ -100,3 +102,22 @@ def test_a_drive_without_a_loop_is_refused() -> None:
         SPONG.linearize(loop="elbow")
     assert caught.value.which == "loop"
     assert "joint" in caught.value.expected
+
+
+def test_a_queue_of_hundreds_of_commands_is_left_to_linear() -> None:
+    """Its eigenvalues would take minutes: the run says that it did not look at them."""
+    late = under({"type": "pd", "position_gain": KP, "velocity_gain": KV}, sample_time=1e-3, delay=0.4)
+    closed = sampled_loops(run_setup(late))
+    assert closed is not None
+    assert len(closed.A) > 400
+    assert not sampled_margins(closed)
+    (said,) = loop_warnings(closed)
+    assert f"{len(closed.A)} states" in said
+
+
+def test_what_waits_takes_no_part_in_a_hold() -> None:
+    A = np.array([[-1.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    Ad, Bd = zero_order_hold(A, np.zeros((3, 1)), 0.5)
+    e = np.exp(-0.5)
+    assert Ad == pytest.approx(np.array([[e, 0.0, 2 * (1 - e)], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), abs=1e-15)
+    assert not Bd.any()

@@ -20,6 +20,9 @@ def learn(
     caution: Annotated[
         float, typer.Option(help="Regularization: larger learns slower, tolerates larger model errors.")
     ] = 0.03,
+    by: Annotated[
+        str, typer.Option(help="What shall follow: joints their signals, or the tip its commanded path.")
+    ] = "joints",
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet with the learnt setpoints.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the errors by run: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
@@ -31,8 +34,9 @@ def learn(
 ) -> None:
     """Iterative learning control: setpoints corrected from run to run until the joints follow the sheet's signals.
 
-    After each run of the actual robot, the setpoints are corrected by the inverse of the nominal closed loop,
-    linearized about its start. What repeats is learnt: sag, friction, and what is not known exactly.
+    With --by tip until the tip, behind gears and links that bend, follows its commanded path. After each run of the
+    actual robot, the setpoints are corrected by the inverse of the nominal closed loop, linearized about its start.
+    What repeats is learnt: sag, friction, and what is not known exactly.
 
     Example: tmodes learn spong1987 --set real.gear.stiffness=0.8 --out learnt.yaml; tmodes run learnt.yaml
     """
@@ -41,7 +45,7 @@ def learn(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, iterations=iterations, samples=samples, caution=caution, out=out, figure=figure,
+            sheet, iterations=iterations, samples=samples, caution=caution, by=by, out=out, figure=figure,
             overwrite=overwrite, progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

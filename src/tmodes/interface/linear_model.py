@@ -170,11 +170,11 @@ class LinearModel(Linearization):
         return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
 
     def zeros(self, output: str | None = None, input: str | None = None) -> Complex:  # noqa: A002
-        """Transmission zeros [1/s] from an input to an output, of all of them together without names.
+        """Transmission zeros [1/s], of a sampled system in the z plane, from an input to an output.
 
-        Those at infinity are left out, and between two names those that cancel modes which these do not share. A zero
-        to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
-        the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
+        Without names of all of them together. Those at infinity are left out, and between two names those that cancel
+        modes which these do not share. A zero to the right (outside of the unit circle) makes the system non-minimum
+        phase. Method: generalised eigenvalues of the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
         Raises :class:`tmodes.errors.InputError` for an unknown name, and where inputs and outputs are not as many.
 
         >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.motor.position")
@@ -373,7 +373,7 @@ class LinearModel(Linearization):
         for law, most in self.e_max.items():
             yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
-            yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
+            yield Table("zeros", words.ZEROS[bool(self.period)], list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
         units = [s.units.get(name, "") for name in s.outputs]
         rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]

@@ -15,8 +15,13 @@ __all__ = [
 ]  # fmt: skip
 
 POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
-ZEROS = ("from", "to", "zeros [1/s]", "phase")
+ZEROS = {
+    sampled: ("from", "to", f"zeros{plane}", "phase") for sampled, plane in ((False, " [1/s]"), (True, ", z plane"))
+}
 LOOPS = ("drive", "gain [dB]", "at [Hz]", "phase [deg]", "at [Hz]", "delay [ms]", "disk", "closed")
+
+_TWICE = 3e-8
+"""Share of the largest pole below which a zero is a rounded double one at 0, as of an acceleration."""
 
 _NULL, _ROUNDING = 1e-9, 1e-9
 """Growth that is none; size of a pole, over the largest, that is 0."""
@@ -109,7 +114,7 @@ def _rate(mode: Any, period: float | None) -> Any:
 
 def zero_rows(found: Any) -> Iterator[list[str]]:
     """A row for each input and output: its zeros, and whether some are to the right (outside of the unit circle)."""
-    least = _NULL * np.abs(found.poles).max(initial=0.0)
+    least = _TWICE * np.abs(found.poles).max(initial=0.0)
     for source in found.inputs:
         for output in found.outputs:
             if not found.acts(output, source):
@@ -118,7 +123,10 @@ def zero_rows(found: Any) -> Iterator[list[str]]:
             zeros = found.zeros(output, source)
             right = (zeros.real > _NULL * np.abs(zeros)) & (np.abs(zeros) > least)
             outside = np.abs(zeros) > 1 + _OUTSIDE if found.period else right
-            shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in zeros if one.imag >= 0)
+            plain = (
+                zeros if found.period else np.where(np.abs(zeros) > least, zeros, 0.0)
+            )  # others are rounded zeros at 0
+            shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in plain if one.imag >= 0)
             yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 
 

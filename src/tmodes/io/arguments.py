@@ -175,7 +175,7 @@ _PLAIN: dict[Any, tuple[Callable[[Any], bool], str]] = {
     None: (lambda value: value is None, "nothing"),
     bool: (lambda value: isinstance(value, bool) or type(value).__name__ == "bool", "true or false"),
     int: (lambda value: isinstance(value, numbers.Integral) and not isinstance(value, bool), "a whole number"),
-    float: (_is_number, "a number"),
+    float: (_is_number, "a finite number"),
     str: (lambda value: isinstance(value, str) and "\0" not in value, "a text"),
     os.PathLike[str]: (_is_path, "a path"),
     Path: (_is_path, "a path"),

@@ -12,7 +12,7 @@ from tmodes.equations.loop.laws import Delay, Law
 from tmodes.equations.loop.outputs import Outputs
 from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
 from tmodes.errors import InputError
-from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.functions import isfinite, number
 from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
@@ -41,6 +41,9 @@ class Sampling(NamedTuple):
         period, late = block.period if sample_time is None else sample_time, delay + block.lag
         if period is None:
             return cls()
+        if block.period is not None and not (isfinite(period) and period > 0):
+            hint = "correct the class, or leave its period out for continuous time"
+            raise InputError(f"{type(block).__name__}.period", f"{period}", "a time above 0 [s]", hint)
         whole = floor(number(late) / number(period) + _WHOLE)
         part = late - whole * period
         is_late = number(part) > _WHOLE * number(period)

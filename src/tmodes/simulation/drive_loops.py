@@ -36,6 +36,9 @@ _LITTLE = 0.2
 _FEW, _MAYBE = 60, 2.0
 """Frequencies at which little margins are looked for; factor on the margin for which they are computed."""
 
+_MOST = 300
+"""States up to which the start of a run looks at loops: the time that this takes grows with their third power."""
+
 _FREE = 0.5
 """Share of a torque that is added to a command which passes: less of it where the drive is at a limit."""
 
@@ -76,8 +79,8 @@ def sampled_loops(setup: RunSetup) -> StateSpace | None:
 
 
 def sampled_margins(closed: StateSpace) -> dict[str, Margins]:
-    """Margins of the loop of each sampled drive, by its joint."""
-    loops = {joint: _opened(closed, k) for k, joint in enumerate(closed.inputs)}
+    """Margins of the loop of each sampled drive, by its joint; none of more states than a run looks at."""
+    loops = {joint: _opened(closed, k) for k, joint in enumerate(closed.inputs) if len(closed.A) <= _MOST}
     return {joint: loop_margins(one.A, one.B, one.C, one.D, one.period) for joint, one in loops.items()}
 
 
@@ -85,8 +88,14 @@ def loop_warnings(closed: StateSpace, found: Mapping[str, Margins] | None = None
     """Of sampled controllers about the start of a run: that a motion grows, or how little more makes one grow.
 
     ``found``: the margins; without them they are computed of the loops alone in which the response that modes sum up to
-    says that they may be little.
+    says that they may be little. Of more than 300 states that is left to `tmodes linear --closed`.
     """
+    if len(closed.A) > _MOST:
+        yield (
+            "whether the sampled controllers are stable is not looked at before the run: with the values that wait for "
+            f"delays the loop has {len(closed.A)} states; `tmodes linear --closed` computes it"
+        )
+        return
     poles, vectors = np.linalg.eig(closed.A)
     if rate := growth(closed, poles):
         yield (

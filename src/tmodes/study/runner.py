@@ -106,7 +106,7 @@ def _refuse_older(folder: Folder, recompute: bool, notice: Callable[[str], None]
         return
     got = f"{older:,} cases of another version of the engine"
     if not recompute:
-        hint = "compute them again (--recompute; the old blocks stay), or name another folder"
+        hint = "add --overwrite (`tmodes study --recompute` keeps the old blocks, too), or name another folder"
         raise file_error(f"folder {folder.path}", got, f"those of {folder.engine}", hint)
     notice(f"{got} are computed again; the old blocks stay in {folder.blocks}")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -9,9 +10,11 @@ import casadi as ca
 
 from tmodes.equations.loop.rigid_terms import RigidModel
 from tmodes.equations.loop.signals_kernels import SIGNAL
+from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.kinds.controllers.registry import Block, Measured, OwnState
 from tmodes.kinds.kernel.functions import if_else
 from tmodes.kinds.kernel.schedule import Kernel
+from tmodes.kinds.noted.functions import isfinite, number
 
 __all__ = ["Delay", "Law", "View"]
 
@@ -98,7 +101,7 @@ class Law:
     @property
     def start(self) -> tuple[float, ...]:
         """Its states at time 0: held outputs, which the first sample sets, those kept, then the block's own."""
-        return (*(0.0,) * self.held, *self.block.initial())
+        return (*(0.0,) * self.held, *_answered(self.block, "initial", self.block.initial))
 
     @property
     def states(self) -> int:
@@ -123,7 +126,7 @@ class Law:
     def numbers(self, period: float | None = None) -> tuple[Any, ...]:
         """What it reads: numbers of the block, of the rigid robot, and the ``period`` [s] of a timed one."""
         robot = self.model.numbers if self.model else ()
-        return (*self.block.numbers(), *robot, *((period,) if self.timed else ()))
+        return (*_answered(self.block, "numbers", self.block.numbers), *robot, *((period,) if self.timed else ()))
 
     @property
     def key(self) -> str:
@@ -175,7 +178,7 @@ class Law:
             x = [given.state[k] for k in range(self.states)]
             held, own, m = x[: self.held], x[self.held :], self._measured(p, given, None)
             numbers, k = [p[i] for i in range(self.own_numbers)], self.outputs
-            kept = [*held[k:], *_listed(self.block.command(numbers, m, own))]
+            kept = [*held[k:], *self._outputs(numbers, m, own)]
             fresh = given.clocks[0][0] <= 0
             after = [if_else(fresh, new, old) for new, old in zip(self._updated(p, m, own), own, strict=True)]
             if not self.delay.late:
@@ -207,25 +210,31 @@ class Law:
         own = ca.SX.sym("own", 2)
         measured = self._measured(p, given, own if self.owned else None)
         numbers = [p[k] for k in range(self.own_numbers)]
-        found = ca.SX(ca.vertcat(*_listed(self.block.command(numbers, measured, x))))
+        found = ca.SX(ca.vertcat(*self._outputs(numbers, measured, x)))
         rates = ca.SX(ca.vertcat(*self._rates(p, measured, x)))
         slopes = -ca.jacobian(found[0], own)
         place = ca.vertcat(given.position[0], given.velocity[0])
         found, slopes, rates = ca.substitute([found, slopes, rates], [own], [place])
         return [found[k] for k in range(self.outputs)], [slopes[0], slopes[1]], [rates[k] for k in range(len(x))]
 
+    def _outputs(self, numbers: list[Any], m: Measured, x: list[Any]) -> list[Any]:
+        return _answered(self.block, "command", lambda: self.block.command(numbers, m, x), self.outputs)
+
+    def _further(self, p: Any, m: Measured, x: list[Any], *, rates: bool) -> list[Any]:
+        """Rates of the own states, or their values after a sample."""
+        numbers, method = [p[k] for k in range(self.own_numbers)], "rates" if rates else "updates"
+        return _answered(self.block, method, lambda: getattr(self.block, method)(numbers, m, x), len(x))
+
     def _rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        numbers = [p[k] for k in range(self.own_numbers)]
         if self.timed or self.block.period is None:
-            return self.block.rates(numbers, m, x)
-        new = self.block.updates(numbers, m, x)
+            return self._further(p, m, x, rates=True)
+        new = self._further(p, m, x, rates=False)
         return [after - before for after, before in zip(new, x, strict=True)]
 
     def _updated(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        numbers = [p[k] for k in range(self.own_numbers)]
         if not self.timed:
-            return self.block.updates(numbers, m, x)
-        period, rates = p[self.count - 1], self.block.rates(numbers, m, x)
+            return self._further(p, m, x, rates=False)
+        period, rates = p[self.count - 1], self._further(p, m, x, rates=True)
         return [value + period * rate for value, rate in zip(x, rates, strict=True)]
 
     def _measured(self, p: Any, given: _Inputs, own: Any) -> Measured:
@@ -268,5 +277,38 @@ class Law:
         return (*(OwnState(name, unit) for name, unit in held), *self.block.states)
 
 
-def _listed(found: Any) -> list[Any]:
-    return list(found) if isinstance(found, list | tuple) else [found]
+def _answered(block: Block, method: str, ask: Callable[[], Any], count: int | None = None) -> list[Any]:
+    """What a method of a block gives, as ``count`` formulas; without a count, finite numbers.
+
+    Raises :class:`tmodes.errors.InputError` for what it raises, and for another answer, as a kind of a user may.
+    """
+    expected = "finite numbers" if count is None else f"{count} formula{'s' * (count != 1)} of what it is given"
+    hint = "correct the class; formulas are sums, products and functions of tmodes.kinds.kernel.functions, without `if`"
+    try:
+        found = ask()
+        listed = list(found) if isinstance(found, list | tuple) else [found]
+    except TmodesError:
+        raise
+    except Exception as error:
+        raise InputError(f"{type(block).__name__}.{method}", error_words(error), expected, hint) from error
+    outside = not type(block).__module__.startswith("tmodes.")
+    wrong = next((one for one in listed if outside and not (_is_finite if count is None else _is_formula)(one)), listed)
+    if wrong is not listed or count not in (None, len(listed)):
+        got = f"{len(listed)} of them" if wrong is listed else f"{wrong!r:.60}"
+        raise InputError(f"{type(block).__name__}.{method}", got, expected, hint)
+    return listed
+
+
+def _is_finite(one: Any) -> bool:
+    try:
+        return bool(isfinite(number(one)))
+    except (TypeError, ValueError):
+        return False
+
+
+def _is_formula(one: Any) -> bool:
+    """Whether it is one number or symbol; functions of `math` make not a number of symbols."""
+    try:
+        return ca.SX(one).is_scalar() and "nan" not in str(ca.SX(one))
+    except NotImplementedError:
+        return False

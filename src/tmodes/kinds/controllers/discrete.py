@@ -26,7 +26,9 @@ def zero_order_hold(A: Any, B: Any, period: float) -> tuple[Any, Any]:
     n, m = B.shape
     whole = np.zeros((n + m, n + m))
     whole[:n, :n], whole[:n, n:] = A, B
-    found = expm(whole * period)
+    used = np.flatnonzero(whole.any(axis=0) | whole.any(axis=1))  # what waits in a delay neither moves nor is read
+    found = np.eye(n + m)
+    found[np.ix_(used, used)] = expm(whole[np.ix_(used, used)] * period)
     return found[:n, :n], found[:n, n:]
 
 
