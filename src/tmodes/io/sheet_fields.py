@@ -78,6 +78,8 @@ def chosen(place: ChainPlace, value: Any) -> Any:
         return members[0]
     if isinstance(value, str):
         return str if str in members else None
+    if isinstance(value, list):
+        return next((member for member in members if get_origin(member) is tuple), None)
     groups = [member for member in members if is_group(member)]
     if len(groups) == 1:
         return groups[0]

@@ -5,7 +5,7 @@ Robot (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  mo
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, Self
@@ -28,12 +28,12 @@ from tmodes.sheet.parts import (
     LoadSheet,
     Number,
     PointSheet,
-    Task,
     TipSheet,
     by_name,
     several,
 )
 from tmodes.sheet.planar import in_plane, planar_issues
+from tmodes.sheet.task import Task
 from tmodes.sheet.topology import tree_issues
 
 __all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other", "yield_strength"]
@@ -101,7 +101,7 @@ class Robot(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the real arm where it differs: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
+    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: as the drives say")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @field_validator("gravity", mode="before")
@@ -192,13 +192,32 @@ class Robot(DataSheet):
         """The same without drives: every joint with its motor, none prescribed."""
         return self.model_copy(update={"drives": ()}) if self.drives else self
 
+    def commanded(self, progress: Callable[[str, float], None] = lambda stage, share: None) -> Robot:
+        """The robot whose drives follow the path of its ``task``; without one the same. Found once.
+
+        Raises :class:`tmodes.errors.InputError` for a path that the robot cannot follow.
+        """
+        if not (self.task and self.task.paths):
+            return self
+        if "_commanded" not in vars(self):
+            from tmodes import commanded_robot
+
+            vars(self)["_commanded"] = commanded_robot(self, progress)
+        return vars(self)["_commanded"]
+
+    @property
+    def pathless(self) -> Robot:
+        """The same without the path of its ``task``: drives do what their own signals say."""
+        judged = self.task and self.task.judged
+        return self if judged is self.task else self.model_copy(update={"task": judged})
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """As pydantic's; what follows from the fields is computed again."""
         if not isinstance(update, Mapping | None):
             hint = "robot.with_({PATH: VALUE}) checks the values, too"
             raise InputError("update", f"a {type(update).__name__}", "a group of fields and their values", hint)
         copied = super().model_copy(update=update, deep=deep)
-        for name in ("_chain", "undriven", "designs"):
+        for name in ("_chain", "_commanded", "undriven", "designs"):
             vars(copied).pop(name, None)
         return copied
 

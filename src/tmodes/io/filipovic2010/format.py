@@ -12,7 +12,8 @@ from tmodes.integrate.settings import RobotIntegration
 from tmodes.io.filipovic2010.reading import Reading
 from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
-from tmodes.sheet.parts import Task, by_name
+from tmodes.sheet.parts import by_name
+from tmodes.sheet.task import Task
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "PaperFrictionLaw"]
 
@@ -134,7 +135,7 @@ class Format2010(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
+    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: as the drives say")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @model_validator(mode="after")
