@@ -77,7 +77,7 @@ def test_every_path_has_an_example() -> None:
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_path(name: str) -> None:
     """On the way all along, from rest to rest, smooth in position, rate and, but for the jerk, acceleration."""
-    found = ARM.follow({"type": name, **EXAMPLES[name]}, profile=S_CURVE, tolerance=1e-8)
+    found = ARM.follow({"type": name, **EXAMPLES[name]}, profile=S_CURVE, fit=1e-8)
     (leg,) = found.found.legs
     assert max(found.error, found.found.turned) <= 1e-8
     times = np.linspace(0.0, found.duration, 501)
@@ -163,7 +163,7 @@ def test_poses_of_six_axes(kind: str) -> None:
         "via": {"points": [near(place, [0.1, 0, 0]), near(place, [0.1, 0.1, 0.1])], "blend": 0.02},
     }[kind]  # fmt: skip
     path = {"type": kind, "rpy": [0.4, 0.9, -0.2], **there}
-    found = robot.follow(path, profile=S_CURVE, tolerance=1e-8)
+    found = robot.follow(path, profile=S_CURVE, fit=1e-8)
     assert max(found.error, found.found.turned) <= 1e-8
     (leg,) = found.found.legs
     times = np.linspace(0, found.duration, 201)
@@ -215,7 +215,7 @@ def test_a_redundant_robot_moves_with_the_least_rates() -> None:
     robot = six_axes()
     start = np.array([drive.signal.value for drive in robot.drives])
     aim = tip(robot, start[None])[0][0] + [0.1, -0.15, 0.1]
-    found = robot.follow({"type": "line", "to": aim.tolist()}, profile=S_CURVE, tolerance=1e-8)
+    found = robot.follow({"type": "line", "to": aim.tolist()}, profile=S_CURVE, fit=1e-8)
     assert found.error <= 1e-8
     (leg,) = found.found.legs
 

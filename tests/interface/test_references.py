@@ -214,7 +214,7 @@ def test_what_has_no_inverse_is_said() -> None:
         assert caught.value.which == "contact"
     with pytest.raises(InputError) as caught:
         robot.follow({"type": "joints", "points": [[0.7]]}, reference="inverted")
-    assert "--reference" in str(caught.value)
+    assert "task.reference" in str(caught.value)
 
 
 def test_a_profile_that_is_not_smooth_is_warned_of() -> None:

@@ -83,7 +83,7 @@ def tune(
     from tmodes.interface.files import write_files
 
     whole = Whole.of(robot)
-    plant = whole.with_({"real": {}})
+    plant = Whole.of(whole.commanded(progress)).with_({"real": {}})
     if not (within > 1.0):
         raise InputError("within", f"{within:g}", "a number > 1", "write 10: from a tenth to ten times the gain")
     ranges = _ranges(plant, gains, within)

@@ -82,7 +82,8 @@ def simulate_motion(
     by an explicit method (at fixed steps where ``auto`` chooses: its answers need not be smooth). None is kept in a
     journal.
     """
-    pair = robot if isinstance(robot, RobotPair) else robot.pair()
+    pair = robot if isinstance(robot, RobotPair) else robot.commanded(progress).pair()
+    refuse_path(pair.real)
     real = run_setup(pair.real)
     if period is not None:
         refuse_period(controller, period, pair.real.integration.duration)
