@@ -221,7 +221,9 @@ class _Following:
     def __init__(self, arm: Arm, leg: Leg, which: str) -> None:
         self.arm, self.leg, self.which = arm, leg, which
         if not leg.end > 0:
-            raise InputError("task.profile", "a motion without an end", "a move with an end", "take s_curve, or quintic")
+            raise InputError(
+                "task.profile", "a motion without an end", "a move with an end", "take s_curve, or quintic"
+            )
         self.pieces, self.end = leg.pieces, leg.end
         self.counts = 6 if leg.course.turn is not None else 3
         self.rank = arm.ranks[self.counts]

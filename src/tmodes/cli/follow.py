@@ -46,9 +46,7 @@ def follow(
     ] = None,
     least_time: Annotated[
         bool | None,
-        typer.Option(
-            "--least-time/--own-time", help="As fast as limits of speed and effort allow, with this profile."
-        ),
+        typer.Option("--least-time/--own-time", help="As fast as limits of speed and effort allow, with this profile."),
     ] = None,
     shaper: Annotated[
         str | None,

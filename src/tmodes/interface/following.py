@@ -132,9 +132,11 @@ def commanded_robot(robot: Robot, progress: Progress = lambda stage, share: None
     assert task  # noqa: S101
     for drive in robot.drives:
         which, hint = f"drives.{drive.joint}", "or remove `task.path`"
-        if drive.command.is_motion and _moves(drive.signal):
+        rows = drive.signal.schedule(drive.signal.move_ends() or 1.0).coefficients
+        if drive.command.is_motion and (rows[:, 1:].any() or np.ptp(rows[:, 0])):
             got, expected = f"`{drive.signal.type}`, which moves", "a value that stays, from which `task.path` starts"
-            raise InputError(f"{which}.signal", got, expected, f"write {{type: constant, value: 0.3}}, {hint}")
+            raise InputError(f"{which}.signal", got, expected,
+                             f"write {{type: constant, value: {rows[0, 0]:.12g}}}, {hint}")  # fmt: skip
         for name in ("motion", "feed_forward"):
             if drive.command.is_motion and getattr(drive, name) is not None:
                 raise InputError(f"{which}.{name}", "given", "left out: `task.path` gives it", f"remove it, {hint}")
@@ -142,18 +144,13 @@ def commanded_robot(robot: Robot, progress: Progress = lambda stage, share: None
     return given.applied(own, found)
 
 
-def _moves(signal: Signal) -> bool:
-    rows = signal.schedule(signal.move_ends() or 1.0).coefficients
-    return bool(rows[:, 1:].any() or np.ptp(rows[:, 0]))
-
-
 def _asked(robot: Robot, options: Mapping[str, Any]) -> Task:
     """The task of the sheet, its keys in place of which the options go; read as a sheet is."""
     known = robot.task.model_dump(mode="json") if robot.task else {}
     given = {name: _plain(value) for name, value in options.items() if value is not None}
     if "path" not in known | given:
-        raise InputError("task.path", "nothing", "a path of the tip, or of the joints",
-                         "add --path '{type: line, to: [0.6, 0, 0.2]}', or `task: {path: ...}` to the sheet")  # fmt: skip
+        hint = "add --path '{type: line, to: [0.6, 0, 0.2]}', or `task: {path: ...}` to the sheet"
+        raise InputError("task.path", "nothing", "a path of the tip, or of the joints", hint)
     task = robot.with_({"task": known | given}).task
     assert task  # noqa: S101
     return task
@@ -280,10 +277,10 @@ def _smooth(length: float) -> dict[str, Any]:
 class Following(CommandResult):
     """The ``robot`` whose drives follow the path of a ``task``; ``found``: rows of the rigid robot's joints along it.
 
-    ``motors``: the reference, setpoints of the motors and what else they are given. ``checks`` [m]: largest distance of the tip of the nominal robot
-    from the path, under its controllers with the ``rigid`` reference, with ``this`` one, and in ``open loop`` by the
-    efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the same after the motion, for half
-    its time, from where the tip rests at the end of the path.
+    ``motors``: the reference, setpoints of the motors and what else they are given. ``checks`` [m]: largest distance
+    of the tip of the nominal robot from the path, under its controllers with the ``rigid`` reference, with ``this``
+    one, and in ``open loop`` by the efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the
+    same after the motion, for half its time, from where the tip rests at the end of the path.
     """
 
     given: Robot = field(repr=False)

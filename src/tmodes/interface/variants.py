@@ -88,7 +88,10 @@ def read_task(
 def varied(
     robot: Robot, name: str, given: Any, task: Task, progress: Callable[[str, float], None] = lambda stage, share: None
 ) -> UsersRobot:
-    """The robot of one variant, its drives on the path of its task; raises :class:`tmodes.errors.InputErrors` with the path of each wrong value."""
+    """The robot of one variant, its drives on the path of its task.
+
+    Raises :class:`tmodes.errors.InputErrors` with the path of each wrong value.
+    """
     from tmodes import Robot as Whole
     from tmodes.sheet import Robot as Sheet
 

@@ -101,7 +101,7 @@ class Robot(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the real arm where it differs: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: as the drives say")
+    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: drives say it")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @field_validator("gravity", mode="before")

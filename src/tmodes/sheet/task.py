@@ -90,7 +90,8 @@ class _Profile:
             return kind.model_validate({**value, **ENDS} if isinstance(value, Mapping) else value)
         known = f"one of {', '.join([one.name_of_kind() for one in _moves()] + [*Timing.registry.names])}"
         if not isinstance(value, Mapping):
-            return refuse([Issue("", f"{value!r:.60}", f"a group with a type, {known}", "write it as {type: s_curve, ...}")])
+            expected, hint = f"a group with a type, {known}", "write it as {type: s_curve, ...}"
+            return refuse([Issue("", f"{value!r:.60}", expected, hint)])
         got = f"{value['type']!r:.60}" if "type" in value else "nothing"
         return refuse([Issue("type", got, known, "take s_curve, or a timing")])
 

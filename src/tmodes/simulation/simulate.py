@@ -25,7 +25,7 @@ from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.parts import Journal, Trajectory
-from tmodes.simulation.plan import Follow
+from tmodes.simulation.plan import Follow, refuse_path
 from tmodes.simulation.python_controller import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
 from tmodes.simulation.stops import STOPPED, Instants, Places, Stops

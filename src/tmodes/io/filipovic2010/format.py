@@ -135,7 +135,7 @@ class Format2010(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: as the drives say")
+    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: drives say it")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @model_validator(mode="after")
