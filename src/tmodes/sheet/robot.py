@@ -196,6 +196,12 @@ class Robot(DataSheet):
         """The robot whose drives follow the path of its ``task``; without one the same. Found once.
 
         Raises :class:`tmodes.errors.InputError` for a path that the robot cannot follow.
+
+        >>> turn = {"path": {"type": "joints", "points": [[0.5]]}}
+        >>> still = {"type": "constant", "value": 0.0}
+        >>> own = robot.with_({"drives.joint.signal": still, "task": turn}).commanded()
+        >>> own.drives[0].signal.type, own.task
+        ('trajectory', None)
         """
         if not (self.task and self.task.paths):
             return self

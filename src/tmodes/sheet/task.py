@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
 from functools import cache
-from typing import Annotated, Any
+from typing import Annotated, Any, Union
 
 from pydantic import (
     Field,
@@ -23,7 +23,7 @@ from tmodes.kinds.shapers.registry import Shaper
 from tmodes.kinds.signals.registry import Signal
 from tmodes.kinds.timings.registry import Timing
 
-__all__ = ["ENDS", "ReferenceKind", "Task"]
+__all__ = ["ENDS", "ReferenceKind", "Task", "accepted_error"]
 
 ENDS = {"start": 0.0, "end": 1.0}
 """Keys of a signal from one value to another that a profile leaves out: it goes from 0 to the length of the path."""
@@ -39,6 +39,12 @@ class ReferenceKind(StrEnum):
     SAG = "sag"  # the tip is on the path at rest
     INVERSE = "inverse"  # the tip is on the path as the robot bends and moves
     OPTIMAL = "optimal"  # rest to rest in the time of the path, within the limits, near it
+
+
+def accepted_error(**more: Any) -> Any:
+    """The field of the error of the tip up to which a run is good."""
+    meaning = "largest error from the commanded path that is accepted"
+    return positive("m", "tol", meaning, plausible=(1e-7, 1.0), **more)
 
 
 class _OneOrSeveral:
@@ -75,11 +81,12 @@ class _Profile:
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Any:
-        moves = [kind.model_json_schema(by_alias=True) for kind in (*_moves(), *Timing.members())]
+        moves = [kind.model_json_schema(by_alias=True) for kind in _moves()]
         for one in moves:
             one["properties"] = {key: value for key, value in one["properties"].items() if key not in ENDS}
             one["required"] = [key for key in one["required"] if key not in ENDS]
-        return {"anyOf": moves}
+        timings: Any = Union[Timing.members()]  # noqa: UP007
+        return {"anyOf": [*moves, handler(TypeAdapter(timings).core_schema)]}
 
     @staticmethod
     def _read(value: Any) -> Any:
@@ -108,10 +115,7 @@ def _moves() -> list[type[Signal]]:
 class Task(DataSheet):
     """What the tip shall do and how closely; without a path the drives say what is done."""
 
-    tolerance: float | None = positive(
-        "m", "tol", "largest error from the commanded path that is accepted; none: errors are not judged",
-        default=None, plausible=(1e-7, 1.0),
-    )  # fmt: skip
+    tolerance: float | None = accepted_error(default=None)
     path: Annotated[Path | tuple[Path, ...], _OneOrSeveral] | None = Field(
         default=None, description="of the tip, or of the joints; several in a list, each from rest to rest"
     )
