@@ -116,7 +116,7 @@ COMMANDS: dict[str, Callable[[Any], Any]] = {
     "loop": lambda robot: robot.linearize(closed=True).system.A,
     "shaper": lambda robot: robot.shaper(where="path").shaper.frequencies,
     "tune": lambda robot: robot.tune(["drives.0.controller.position_gain"], trials=3).after,
-    "compare": lambda robot: robot.compare({"own": {}, "stiff": {STIFFNESS: 200.0}}).data["nominal_largest_m"].values,
+    "compare": lambda robot: robot.compare({"own": {}, "stiff": {"drives.0.controller.position_gain": 160.0}}).data["nominal_largest_m"].values,
     "outputs": lambda robot: [*robot.outputs],
 }  # fmt: skip
 

@@ -260,6 +260,8 @@ class Robot(sheet.Robot):
             for joint in self.joints
         ]  # fmt: skip
         yield Table("", ["joint", "type", "gear stiffness [SI]", "carries", "drive"], rows)
+        if self.task and self.task.paths:
+            yield f"task: {', '.join(str(one.type) for one in self.task.paths)}, reference {self.task.reference}"
         beams = {link.name: cast("Any", link.beam) for link in self.links if link.beam and link.beam.coordinate_count}
         if beams:
             yield f"flexible links: {', '.join(f'{name} ({beam.model})' for name, beam in beams.items())}"

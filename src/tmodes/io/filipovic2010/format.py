@@ -141,7 +141,9 @@ class Format2010(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )
-    task: PaperTask | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
+    task: PaperTask | None = Field(
+        default=None, description="what the motion must keep to; none: errors are not judged"
+    )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @model_validator(mode="after")
