@@ -48,7 +48,8 @@ def test_reads_back_as_written(task: dict[str, Any], tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("task", "which"), [
     ({}, "task"), ({"reference": "sag"}, "task.reference"), ({"profile": MOVE, "tolerance": 0.1}, "task.profile"),
-    ({"shaper": {"type": "zv"}}, "task.shaper"), ({"least_time": True}, "task.least_time"), ({"paht": TURN}, "task.paht"),
+    ({"shaper": {"type": "zv"}}, "task.shaper"), ({"least_time": True}, "task.least_time"),
+    ({"paht": TURN}, "task.paht"),
     ({"path": "line"}, "task.path"), ({"path": [TURN, {"type": "joints", "pointz": 1}]}, "task.path.1.pointz"),
     ({"path": TURN, "profile": {"type": "quintic", "start": 0.0}}, "task.profile.duration"),
     ({"path": TURN, "least_time": 1}, "task.least_time"), ({"tolerance": "1 kg"}, "task.tolerance"),
@@ -103,6 +104,7 @@ def test_a_path_out_of_reach_is_found_by_check() -> None:
 
 STIFFNESS = "joints.joint.gear.stiffness"
 DRAWN = {"k": {"path": STIFFNESS, "distribution": {"type": "uniform", "low": 80.0, "high": 120.0}}}
+FIRM = {"drives.0.controller.position_gain": 160.0}
 PEAK = {"peak": {"series": "tip_error", "reduce": "max"}}
 
 COMMANDS: dict[str, Callable[[Any], Any]] = {
@@ -116,7 +118,7 @@ COMMANDS: dict[str, Callable[[Any], Any]] = {
     "loop": lambda robot: robot.linearize(closed=True).system.A,
     "shaper": lambda robot: robot.shaper(where="path").shaper.frequencies,
     "tune": lambda robot: robot.tune(["drives.0.controller.position_gain"], trials=3).after,
-    "compare": lambda robot: robot.compare({"own": {}, "stiff": {"drives.0.controller.position_gain": 160.0}}).data["nominal_largest_m"].values,
+    "compare": lambda robot: robot.compare({"own": {}, "firm": FIRM}).data["nominal_largest_m"].values,
     "outputs": lambda robot: [*robot.outputs],
 }  # fmt: skip
 

@@ -402,7 +402,7 @@ class Following(CommandResult):
             yield Table("Nominal robot: largest distance of the tip [m]", ["reference", "from the path", "afterwards"],
                         rows)  # fmt: skip
         same = self.motors.positions is found
-        titles = {"joints": "Joints of the rigid robot" + (", which are the setpoints of the motors" if same else ""),
+        titles = {"joints": "Joints of the rigid robot" + (", and setpoints" if same else ""),
                   "setpoints": "Setpoints of the motors"}  # fmt: skip
         for group, rows in self._moves.items():
             if group == "joints" or not same:
