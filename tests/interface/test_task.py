@@ -20,7 +20,7 @@ TURN = {"type": "joints", "points": [[0.5]]}
 MOVE = {"type": "polynomial", "duration": 0.5}
 TASK = {"path": TURN, "profile": MOVE, "tolerance": 0.01}
 STILL = {"drives.joint.signal": {"type": "constant", "value": 0.0}, "integration.duration": 0.6}
-BARE = {"error_estimate": False, "model_error": False}
+BARE: dict[str, Any] = {"error_estimate": False, "model_error": False}
 
 
 def spong(**more: Any) -> Any:

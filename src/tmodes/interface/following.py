@@ -16,7 +16,6 @@ from tmodes.io.arguments import checked_arguments
 from tmodes.io.assignment import parse_assignment
 from tmodes.io.printed import CommandResult, Table
 from tmodes.kinds.signals.registry import Signal
-from tmodes.kinds.timings.registry import Timing
 from tmodes.sheet.task import ENDS, ReferenceKind
 
 if TYPE_CHECKING:
@@ -199,8 +198,7 @@ class _Pace:
         from tmodes.analysis.follow import followed
         from tmodes.analysis.timing import timed_ways
 
-        task = self.task
-        timing = task.profile if isinstance(task.profile, Timing) else None
+        task, timing = self.task, self.task.timing
         found = followed(robot, task.paths, lambda length: self._shaped(self._move(length, factor), timing is None),
                          task.fit, tell)  # fmt: skip
         if timing is None:
@@ -210,7 +208,7 @@ class _Pace:
 
     def _move(self, length: float, factor: float) -> Signal:
         law = self.task.profile
-        if not isinstance(law, Signal):
+        if law is None or self.task.timing:
             gentle = _smooth(length) if law is None and self.task.reference in SMOOTH else PROFILE
             law = Signal.of({**gentle, **ENDS})
         own = {name: getattr(law, name) for name in type(law).model_fields} | {"start": 0.0, "end": length}

@@ -138,6 +138,12 @@ class Task(DataSheet):
         return self.path if isinstance(self.path, tuple) else () if self.path is None else (self.path,)
 
     @property
+    def timing(self) -> Timing | None:
+        """The profile, where it is a timing."""
+        given: Any = self.profile
+        return given if Timing.kind_named(given) else None
+
+    @property
     def judged(self) -> Task | None:
         """The same without a path; None where nothing is left of it."""
         if self.path is None:
@@ -157,6 +163,6 @@ class Task(DataSheet):
                 yield Issue(name, f"a {name} without a path", "left out, or a path", hint)
             if not given:
                 yield Issue("", "nothing", "a path, or a tolerance", hint)
-        if self.least_time and isinstance(self.profile, Timing):
-            got, hint = f"the timing `{self.profile.type}`", "leave it out: the timing is found by it"
+        if self.least_time and self.timing:
+            got, hint = f"the timing `{self.timing.type}`", "leave it out: the timing is found by it"
             yield Issue("least_time", got, "a profile whose time changes", hint)
