@@ -207,13 +207,13 @@ class _Pace:
         return followed(robot, task.paths, lambda length: self._shaped(Signal.of(next(ways)), True), task.fit, tell)
 
     def _move(self, length: float, factor: float) -> Signal:
-        law = self.task.profile
+        law: Any = self.task.profile
         if law is None or self.task.timing:
             gentle = _smooth(length) if law is None and self.task.reference in SMOOTH else PROFILE
             law = Signal.of({**gentle, **ENDS})
         own = {name: getattr(law, name) for name in type(law).model_fields} | {"start": 0.0, "end": length}
         known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if own.get(key)}
-        return type(law).model_construct(**own | (known if factor != 1 else {}))
+        return type(law).model_construct(None, **own | (known if factor != 1 else {}))
 
     def _shaped(self, move: Signal, wanted: bool) -> Signal:
         shape = self.task.shaper
