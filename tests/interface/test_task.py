@@ -12,9 +12,11 @@ import pytest
 import tmodes
 from command import tmodes as command
 from tmodes.errors import InputError, InputErrors
+from tmodes.interface.studies import changed_study
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.sheet.robot import RobotPair
+from tmodes.study.read import study_of_robot
 
 TURN = {"type": "joints", "points": [[0.5]]}
 MOVE = {"type": "polynomial", "duration": 0.5}
@@ -102,7 +104,7 @@ def test_a_path_out_of_reach_is_found_by_check() -> None:
     assert any("path 1" in one for one in spong(path={"type": "line", "to": [9.0, 0.0, 0.0]}).check().warnings)
 
 
-STIFFNESS = "joints.joint.gear.stiffness"
+STIFFNESS, DURATION = "joints.joint.gear.stiffness", "task.profile.duration"
 DRAWN = {"k": {"path": STIFFNESS, "distribution": {"type": "uniform", "low": 80.0, "high": 120.0}}}
 FIRM = {"drives.0.controller.position_gain": 160.0}
 PEAK = {"peak": {"series": "tip_error", "reduce": "max"}}
@@ -133,19 +135,42 @@ def test_commands_follow_the_path(name: str) -> None:
     np.testing.assert_array_equal(np.asarray(own), np.asarray(other))
 
 
+VARIED: dict[str, Callable[[Any], Any]] = {
+    "batch": lambda robot: robot.batch(vary={DURATION: (0.4, 0.6, 2)}),
+    "simulate_batch": lambda robot: tmodes.simulate_batch(robot, {DURATION: [0.4, 0.5]}),
+    "study": lambda robot: robot.study({"parameters": {"k": DRAWN["k"] | {"path": DURATION}},
+                                        "plan": {"type": "grid", "levels": 2}, "quantities": PEAK}),
+    "gradient": lambda robot: robot.gradient(tmodes.reduced_output("tip_error", "rms"), [DURATION]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", VARIED)
+def test_the_task_stays_while_numbers_change(name: str) -> None:
+    with pytest.raises((InputError, InputErrors)) as caught:
+        VARIED[name](spong())
+    got = {one.got for one in getattr(caught.value, "errors", [caught.value])}
+    assert got == {"a key of the task"}
+
+
+def test_a_study_is_changed_before_its_references_are_made() -> None:
+    asked = {"parameters": DRAWN, "plan": {"type": "grid", "levels": 2}, "quantities": PEAK}
+    study = study_of_robot(spong(reference="motors"), asked)
+    changed = changed_study(study, {"task.reference": "rigid", "joints.joint.gear.damping": 0.5}, None)
+    own = spong().with_({"joints.joint.gear.damping": 0.5}).commanded()
+    assert changed.robot
+    assert sheet_data(changed.robot) == sheet_data(own)
+
+
 def test_references_are_compared_on_one_task() -> None:
-    """A stiff, well-known gear under gravity: the sag's reference is nearer to the path than the rigid robot's."""
-    robot = tmodes.load("two_link_arm", {
-        "drives.shoulder.signal": {"type": "constant", "value": -0.4},
-        "drives.elbow.signal": {"type": "constant", "value": 1.0}, "integration.duration": 1.2,
-        "task": {"path": {"type": "line", "to": [0.7, 0.0, 0.2]}}})  # fmt: skip
-    found = robot.compare({"rigid": {}, "sag": {"task.reference": "sag"}}, tolerance="1 mm")
+    """A slow move under gravity: the sag's reference is nearer to the path, and moves the motors away from it."""
+    slow = spong(profile={"type": "polynomial", "duration": 4.0})
+    found = slow.compare({"rigid": {}, "sag": {"task.reference": "sag"}})
     assert [one.name for one in found.ranked] == ["sag", "rigid"]
-    rows = robot.follow(reference="sag").info()
-    for joint, own in rows["joints"].items():
-        motor = rows["setpoints"][joint]
-        assert 1e-4 < abs(motor["start"] - own["start"]) < 0.05
-    assert robot.follow().info()["setpoints"] == robot.follow().info()["joints"]
+    rows = slow.follow(reference="sag").info()
+    twist = 9.8 * np.sin(0.5) / 100.0  # of the gear that carries 1 kg at 1 m
+    assert rows["joints"]["joint"]["end"] == pytest.approx(0.5, abs=1e-6)
+    assert rows["setpoints"]["joint"]["end"] == pytest.approx(0.5 + twist, abs=1e-6)
+    assert slow.follow().info()["setpoints"] == slow.follow().info()["joints"]
 
 
 def test_a_pair_needs_its_drives_to_follow() -> None:

@@ -244,7 +244,7 @@ class _Following:
                 if error.max() > tolerance and stack[-1] - low > 1e-9 * self.end:
                     stack.append(middle)
                     if len(found) + len(stack) > MOST_ROWS:
-                        hint = "raise the tolerance, or keep away from singular poses"
+                        hint = "raise `fit`, or keep away from singular poses"
                         raise InputError(self.which, f"more than {MOST_ROWS} rows", "a path that can be fitted", hint)
                     continue
                 worst = np.maximum(worst, error)

@@ -120,7 +120,7 @@ def forward_sensitivities(
     True
     """
     refuse_other(sheet)
-    sheet = sheet.commanded()
+    sheet = sheet.commanded(vary=paths)
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
     references = _references(sheet, here, done, quantities, paths, most_bytes)
@@ -160,7 +160,7 @@ def adjoint_gradient(
     {'joints.joint.gear.stiffness': ...}
     """
     refuse_other(sheet)
-    sheet = sheet.commanded()
+    sheet = sheet.commanded(vary=paths)
     watch, here, replay = _begun(sheet, most_bytes)
     done, names = replay.recording, [*dict.fromkeys(paths)]
     references = _references(sheet, here, done, functional.quantities, names, most_bytes)

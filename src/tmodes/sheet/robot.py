@@ -5,7 +5,7 @@ Robot (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  mo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, Self
@@ -192,9 +192,12 @@ class Robot(DataSheet):
         """The same without drives: every joint with its motor, none prescribed."""
         return self.model_copy(update={"drives": ()}) if self.drives else self
 
-    def commanded(self, progress: Callable[[str, float], None] = lambda stage, share: None) -> Robot:
+    def commanded(
+        self, progress: Callable[[str, float], None] = lambda stage, share: None, vary: Iterable[str] = ()
+    ) -> Robot:
         """The robot whose drives follow the path of its ``task``; without one the same. Found once.
 
+        ``vary``: paths of numbers that change later, of which none may be of a task that is followed.
         Raises :class:`tmodes.errors.InputError` for a path that the robot cannot follow.
 
         >>> turn = {"path": {"type": "joints", "points": [[0.5]]}}
@@ -203,13 +206,23 @@ class Robot(DataSheet):
         >>> own.drives[0].signal.type, own.task
         ('trajectory', None)
         """
+        if self.stated is not self:
+            for path in (one for one in vary if one.startswith("task.")):
+                hint = "write a sheet for each, or compare them: `tmodes compare` with {task.reference: sag}"
+                raise InputError(path, "a key of the task", "a number of the robot: references are made once", hint)
         if not (self.task and self.task.paths):
             return self
         if "_commanded" not in vars(self):
             from tmodes import commanded_robot
 
-            vars(self)["_commanded"] = commanded_robot(self, progress)
-        return vars(self)["_commanded"]
+            vars(self)["_commanded"] = found = commanded_robot(self, progress)
+            vars(found)["_stated"] = self
+        return vars(self)["_commanded"].commanded(vary=vary)
+
+    @property
+    def stated(self) -> Robot:
+        """The sheet with the path that the drives of this one follow; without one the same."""
+        return vars(self).get("_stated", self)
 
     @property
     def pathless(self) -> Robot:
@@ -223,7 +236,7 @@ class Robot(DataSheet):
             hint = "robot.with_({PATH: VALUE}) checks the values, too"
             raise InputError("update", f"a {type(update).__name__}", "a group of fields and their values", hint)
         copied = super().model_copy(update=update, deep=deep)
-        for name in ("_chain", "_commanded", "undriven", "designs"):
+        for name in ("_chain", "_commanded", "_stated", "undriven", "designs"):
             vars(copied).pop(name, None)
         return copied
 
