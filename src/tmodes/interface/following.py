@@ -146,7 +146,7 @@ def commanded_robot(robot: Robot, progress: Progress = lambda stage, share: None
 def _asked(robot: Robot, options: Mapping[str, Any]) -> Task:
     """The task of the sheet, its keys in place of which the options go; read as a sheet is."""
     known = robot.task.model_dump(mode="json") if robot.task else {}
-    given = {name: _plain(value) for name, value in options.items() if value is not None}
+    given = {name: _plain(name, value) for name, value in options.items() if value is not None}
     if "path" not in known | given:
         hint = "add --path '{type: line, to: [0.6, 0, 0.2]}', or `task: {path: ...}` to the sheet"
         raise InputError("task.path", "nothing", "a path of the tip, or of the joints", hint)
@@ -155,12 +155,12 @@ def _asked(robot: Robot, options: Mapping[str, Any]) -> Task:
     return task
 
 
-def _plain(value: Any) -> Any:
+def _plain(name: str, value: Any) -> Any:
     """Plain data of an argument, of text like ``{type: line, to: [1, 0, 0]}`` too; one of several is itself."""
     if isinstance(value, list | tuple):
-        each = [_plain(one) for one in value]
+        each = [_plain(name, one) for one in value]
         return each[0] if len(each) == 1 else each
-    return parse_assignment(f"task={value}")[1] if isinstance(value, str) else value
+    return parse_assignment(f"task.{name}={value}")[1] if isinstance(value, str) else value
 
 
 def _planned(robot: Robot, task: Task, progress: Progress) -> tuple[Followed, Reference]:
