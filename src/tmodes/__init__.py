@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from tmodes.interface.checks import check, evaluate
     from tmodes.interface.comparing import compare
     from tmodes.interface.description import describe
-    from tmodes.interface.following import follow
+    from tmodes.interface.following import commanded_robot, follow
     from tmodes.interface.hierarchy import hierarchy
     from tmodes.interface.inverse import inverse
     from tmodes.interface.learning import learn
@@ -143,6 +143,7 @@ _HOMES = {
 _UPWARD = {
     "chain_issues": "tmodes.chain.checks.chain_issues",
     "changed_robot": "tmodes.io.sheet_check.changed_robot",
+    "commanded_robot": "tmodes.interface.following.commanded_robot",
     "evaluated_study": "tmodes.study.evaluate.evaluated",
     "designed_block": "tmodes.simulation.design.designed_block",
     "lowered_chain": "tmodes.chain.lowering.lowered",

@@ -163,7 +163,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "kept": (tmodes.load_study("o").kept, {"case": 0}),
         "optimize": (tmodes.optimize, {"study": "s.yaml", "method": "tpe", "trials": 2, "seed": 0, "out": None, "functionals": None}),
         "sensitivity": (tmodes.sensitivity, {"study": "s.yaml", "method": "morris", "samples": 4, "seed": 0, "second_order": False, "out": None}),
-        "follow": (tmodes.follow, {"robot": robot, "path": {"type": "joints", "points": [[0.5]]}, "profile": {"type": "quintic", "duration": 1.0}, "tolerance": 1e-6, "out": None, "figure": None, "overwrite": False}),
+        "follow": (tmodes.follow, {"robot": robot, "path": {"type": "joints", "points": [[0.5]]}, "profile": {"type": "quintic", "duration": 1.0}, "reference": "rigid", "least_time": False, "shaper": None, "fit": 1e-6, "out": None, "figure": None, "overwrite": False}),
         "shaper": (tmodes.shaper, {"robot": robot, "kind": "zv", "modes": (1,), "where": "start", "frequency": (), "damping": (), "tolerated": None, "out": None, "figure": None, "overwrite": False}),
         "learn": (tmodes.learn, {"robot": robot, "iterations": 1, "samples": 20, "caution": 0.03, "out": None, "figure": None, "overwrite": False}),
         "its frequency": (partial(tmodes.shaper, robot), {"frequency": (2.0,), "damping": (0.1,), "kind": "ei", "tolerated": 0.1}),

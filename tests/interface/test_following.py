@@ -77,7 +77,7 @@ def test_every_path_has_an_example() -> None:
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_path(name: str) -> None:
     """On the way all along, from rest to rest, smooth in position, rate and, but for the jerk, acceleration."""
-    found = ARM.follow({"type": name, **EXAMPLES[name]}, profile=S_CURVE, tolerance=1e-8)
+    found = ARM.follow({"type": name, **EXAMPLES[name]}, profile=S_CURVE, fit=1e-8)
     (leg,) = found.found.legs
     assert max(found.error, found.found.turned) <= 1e-8
     times = np.linspace(0.0, found.duration, 501)
@@ -163,7 +163,7 @@ def test_poses_of_six_axes(kind: str) -> None:
         "via": {"points": [near(place, [0.1, 0, 0]), near(place, [0.1, 0.1, 0.1])], "blend": 0.02},
     }[kind]  # fmt: skip
     path = {"type": kind, "rpy": [0.4, 0.9, -0.2], **there}
-    found = robot.follow(path, profile=S_CURVE, tolerance=1e-8)
+    found = robot.follow(path, profile=S_CURVE, fit=1e-8)
     assert max(found.error, found.found.turned) <= 1e-8
     (leg,) = found.found.legs
     times = np.linspace(0, found.duration, 201)
@@ -190,24 +190,30 @@ def test_paths_follow_one_another_and_a_run_follows_them() -> None:
     assert (shaped.type, shaped.signal.type) == ("shaped", "trajectory")
 
 
-@pytest.mark.parametrize(("path", "more", "words"), [
-    ({"type": "line", "to": [3.0, 0.0, 0.2]}, {}, "misses by"),
-    ({"type": "line", "to": [0.7, 0.1, 0.2]}, {}, "misses by"),
-    ({"type": "line", "to": [0.7, 0.0]}, {}, "path.to"), ({"type": "lne"}, {}, "one of line"), ({}, {}, "path.type"),
-    ("[1, 2]", {}, "a group"), ([], {}, "no path"),
-    ({"type": "arc", "through": [0.7, 0, 0.2], "to": [0.7, 0, 0.2]}, {}, "three points"),
-    ({"type": "joints", "points": [[1.0]]}, {}, "2 values"),
-    ({"type": "via", "points": [[0.7, 0.0, 0.2], [0.7, 0.0, 0.2]], "blend": 0.1}, {}, "another place"),
-    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "constant", "value": 1.0}}, "start"),
-    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "s_curve"}}, "profile.speed"),
-    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"shaper": {"type": "zvx"}}, "one of zv"),
-    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"shaper": {"kind": "zv"}}, "--shaper.type"),
-    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "toppra", "share": 2.0}}, "at most 1"),
+LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
+
+
+@pytest.mark.parametrize(("path", "more", "which"), [
+    ({"type": "line", "to": [3.0, 0.0, 0.2]}, {}, "path 1"), ({"type": "line", "to": [0.7, 0.1, 0.2]}, {}, "path 1"),
+    ({"type": "line", "to": [0.7, 0.0]}, {}, "task.path.to"), ({"type": "lne"}, {}, "task.path.type"),
+    ({}, {}, "task.path.type"), ("[1, 2]", {}, "task.path.0"), ([], {}, "task.path"), (None, {}, "task.path"),
+    ([LINE, {"type": "line"}], {}, "task.path.1.to"),
+    ({"type": "arc", "through": [0.7, 0, 0.2], "to": [0.7, 0, 0.2]}, {}, "path 1: path.through"),
+    ({"type": "joints", "points": [[1.0]]}, {}, "path 1: path.points"),
+    ({"type": "via", "points": [[0.7, 0.0, 0.2], [0.7, 0.0, 0.2]], "blend": 0.1}, {}, "path 1: path"),
+    (LINE, {"profile": {"type": "constant", "value": 1.0}}, "task.profile.type"),
+    (LINE, {"profile": {"type": "s_curve"}}, "task.profile.speed"), (LINE, {"profile": "quintic"}, "task.profile"),
+    (LINE, {"profile": {"type": "step", "time": 0.0}}, "task.profile"),
+    (LINE, {"shaper": {"type": "zvx"}}, "task.shaper.type"),
+    (LINE, {"shaper": {"kind": "zv"}}, "task.shaper.type"), (LINE, {"fit": 0.0}, "task.fit"),
+    (LINE, {"profile": {"type": "toppra", "share": 2.0}}, "task.profile.share"),
+    (LINE, {"profile": {"type": "toppra"}, "least_time": True}, "task.least_time"),
+    (LINE, {"reference": "sga"}, "task.reference"),
 ])  # fmt: skip
-def test_what_is_wrong_is_said(path: Any, more: dict, words: str) -> None:
+def test_what_is_wrong_is_said(path: Any, more: dict, which: str) -> None:
     with pytest.raises(TmodesError) as caught:
         ARM.follow(path, **more)
-    assert words in str(caught.value)
+    assert which in [one.which for one in getattr(caught.value, "errors", [caught.value])]
 
 
 def test_a_redundant_robot_moves_with_the_least_rates() -> None:
@@ -215,7 +221,7 @@ def test_a_redundant_robot_moves_with_the_least_rates() -> None:
     robot = six_axes()
     start = np.array([drive.signal.value for drive in robot.drives])
     aim = tip(robot, start[None])[0][0] + [0.1, -0.15, 0.1]
-    found = robot.follow({"type": "line", "to": aim.tolist()}, profile=S_CURVE, tolerance=1e-8)
+    found = robot.follow({"type": "line", "to": aim.tolist()}, profile=S_CURVE, fit=1e-8)
     assert found.error <= 1e-8
     (leg,) = found.found.legs
 

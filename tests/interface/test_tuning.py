@@ -57,6 +57,20 @@ def test_the_worst_case_of_a_family() -> None:
     assert found.after == pytest.approx(each, rel=1e-5)
 
 
+def test_a_gain_without_effect_is_named() -> None:
+    """A limit of the command that is never reached; nothing else is idle, at an end of its range or not."""
+    law = {"type": "pid", "position_gain": 60.0, "integral_gain": 30.0, "velocity_gain": 12.0, "limit": 1e4}
+    limit = "drives.0.controller.limit"
+    found = spong(**{"drives.0.controller": law}).tune({KP: (30.0, 120.0), limit: (5e3, 2e4)}, trials=5)
+    effects = {one.path: one.effect for one in found.gains}
+    assert effects[limit] == pytest.approx(0.0, abs=1e-6)
+    best = found.robot.with_({"real": {}})
+    ends = [error_of(best.with_({KP: end})) / error_of(best) - 1.0 for end in (30.0, 120.0)]
+    assert effects[KP] == pytest.approx(max(map(abs, ends)), rel=1e-3)
+    assert [one.path for one in found.gains if one.idle] == [limit]
+    assert found.info()["gains"][1]["effect"] == effects[limit]
+
+
 def test_the_drives_keep_their_limits() -> None:
     """Along gradients the best gains would need more than the joint allows; then limits are kept without them."""
     free = spong(**{"joints.0.limits": {"effort": 100.0}}).tune(within=4.0)

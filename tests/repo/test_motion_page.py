@@ -13,6 +13,7 @@ import pytest
 import tmodes
 from command import tmodes as command
 from tmodes.io.yaml_file import parse_yaml
+from tmodes.sheet.task import ReferenceKind, Task
 
 PAGE = (Path(__file__).parents[2] / "docs" / "motion-without-ringing.md").read_text(encoding="utf-8")
 
@@ -44,7 +45,16 @@ def test_its_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert (tmp_path / "results" / "report.html").exists()
 
 
-def test_its_sheet() -> None:
-    (text,) = re.findall(r"```yaml\n(.*?)```", PAGE, re.DOTALL)
+def test_its_sheets() -> None:
+    text, task = re.findall(r"```yaml\n(.*?)```", PAGE, re.DOTALL)
     robot = tmodes.load("quanser_2dsfl").with_({"drives.0.signal": parse_yaml(text, "the page")[0]["signal"]})
     assert robot.drives[0].signal.move_ends() == pytest.approx(0.2 + 0.9068 + 0.4476, abs=1e-3)
+    robot = tmodes.load("two_link_arm").with_(parse_yaml(task, "the page")[0])
+    for kind, off in (("sag", 0.90e-3), ("rigid", 4.3e-3)):
+        found = robot.with_({"task.reference": kind}).run(error_estimate=False, model_error=False)
+        assert found.summary()["tip_error"]["commanded"]["max_m"] == pytest.approx(off, rel=0.02)
+    row = next(line for line in PAGE.splitlines() if line.startswith("| `reference` | `rigid`"))
+    assert re.findall(r"`(\w+)`", row.split("|")[2]) == [*ReferenceKind]
+    assert set(re.findall(r"^\| `(\w+)` \|", PAGE.partition("| key | what it is |")[2], re.MULTILINE)) | {
+        "tolerance"
+    } == {*Task.model_fields}

@@ -221,7 +221,9 @@ class _Following:
     def __init__(self, arm: Arm, leg: Leg, which: str) -> None:
         self.arm, self.leg, self.which = arm, leg, which
         if not leg.end > 0:
-            raise InputError("profile", "a motion without an end", "a move with an end", "take s_curve, or quintic")
+            raise InputError(
+                "task.profile", "a motion without an end", "a move with an end", "take s_curve, or quintic"
+            )
         self.pieces, self.end = leg.pieces, leg.end
         self.counts = 6 if leg.course.turn is not None else 3
         self.rank = arm.ranks[self.counts]
@@ -242,7 +244,7 @@ class _Following:
                 if error.max() > tolerance and stack[-1] - low > 1e-9 * self.end:
                     stack.append(middle)
                     if len(found) + len(stack) > MOST_ROWS:
-                        hint = "raise the tolerance, or keep away from singular poses"
+                        hint = "raise `fit`, or keep away from singular poses"
                         raise InputError(self.which, f"more than {MOST_ROWS} rows", "a path that can be fitted", hint)
                     continue
                 worst = np.maximum(worst, error)

@@ -278,7 +278,7 @@ class Task:
         at = wanted.places[open_[0]]
         got = f"no pose at rest that holds the tip at {', '.join(f'{one:.4g}' for one in at)} m"
         hint = "move the path away from singular poses, or take `--reference rigid`"
-        raise InputError("--reference", got, "a path that the robot as it bends reaches", hint)
+        raise InputError("task.reference", got, "a path that the robot as it bends reaches", hint)
 
 
 def sagged(robot: Robot, found: Followed) -> Followed:

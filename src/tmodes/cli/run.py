@@ -77,6 +77,7 @@ def run(
             robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia,
             changes=changes,
         )  # fmt: skip
+        sheet = sheet.commanded(progress)
         place = out or Path("results") / folder_name(sheet.name)
         folder = _folder(place, sheet, overwrite, urdf, live=live, spent=progress.spent if timing else None)
         with folder:

@@ -119,6 +119,8 @@ def forward_sensitivities(
     >>> found.of["tip"]["joints.joint.gear.stiffness"].shape == found.info["tip"].shape
     True
     """
+    refuse_other(sheet)
+    sheet = sheet.commanded(vary=paths)
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
     references = _references(sheet, here, done, quantities, paths, most_bytes)
@@ -157,6 +159,8 @@ def adjoint_gradient(
     >>> tmodes.adjoint_gradient(robot, error, ["joints.joint.gear.stiffness"]).by
     {'joints.joint.gear.stiffness': ...}
     """
+    refuse_other(sheet)
+    sheet = sheet.commanded(vary=paths)
     watch, here, replay = _begun(sheet, most_bytes)
     done, names = replay.recording, [*dict.fromkeys(paths)]
     references = _references(sheet, here, done, functional.quantities, names, most_bytes)
@@ -189,7 +193,6 @@ def _direction(name: str, way: ArrayLike, size: int) -> Array:
 
 def _begun(sheet: Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
     """The run, with its steps."""
-    refuse_other(sheet)
     watch = _Watch()
     here = lowered(sheet)
     watch.lap("plan")

@@ -51,7 +51,7 @@ def _starting(robot: Robot) -> tuple[list[str], dict[str, Margins]]:
     from tmodes.simulation.warnings import departures
 
     try:
-        setup = run_setup(ready_to_run(robot).pair().real)
+        setup = run_setup(ready_to_run(_rigidly(robot)).pair().real)
     except (InputError, SimulationError) as error:
         return [f"`tmodes run` needs more: {error}"], {}
     found = [*departures(setup, setup.first_row)]
@@ -62,6 +62,16 @@ def _starting(robot: Robot) -> tuple[list[str], dict[str, Margins]]:
     closed = sampled_loops(setup)
     loops = sampled_margins(closed) if closed else {}
     return [*found, *(loop_warnings(closed, loops) if closed else ())], loops
+
+
+def _rigidly(robot: Robot) -> Robot:
+    """The robot whose reference is that of the rigid one, which is found at once."""
+    from tmodes.sheet.task import ReferenceKind
+
+    if not (robot.task and robot.task.paths):
+        return robot
+    task = robot.task.model_copy(update={"reference": ReferenceKind.RIGID, "least_time": False})
+    return robot.model_copy(update={"task": task})
 
 
 @dataclass(frozen=True, eq=False, repr=False)

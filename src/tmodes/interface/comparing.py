@@ -85,7 +85,7 @@ def compare(
     from tmodes.interface.files import write_files
 
     task = read_task(variants, uncertain, plan, tolerance, robot, sheets or {})
-    robots = {name: varied(robot, name, one, task) for name, one in task.variants.items()}
+    robots = {name: varied(robot, name, one, task, progress) for name, one in task.variants.items()}
     studies = {name: uncertain_study(one, task, runs or CASES, runs) for name, one in robots.items()}
     contenders = []
     for k, (name, one) in enumerate(robots.items()):

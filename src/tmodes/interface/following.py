@@ -10,23 +10,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.errors import InputError, InputErrors
+from tmodes.errors import InputError
 from tmodes.interface.files import write_files
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.assignment import parse_assignment
 from tmodes.io.printed import CommandResult, Table
-from tmodes.io.words import meant, shown
+from tmodes.kinds.signals.registry import Signal
+from tmodes.sheet.task import ENDS, ReferenceKind
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
     from tmodes.analysis.follow import Followed
     from tmodes.interface.references import Reference
-    from tmodes.kinds.signals.registry import Signal
-    from tmodes.kinds.timings.registry import Timing
     from tmodes.sheet import Robot
+    from tmodes.sheet.task import Task
 
-__all__ = ["Following", "follow"]
+__all__ = ["Following", "commanded_robot", "follow"]
 
 UNITS = {
     "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "swing_m": "m, after it",
@@ -36,10 +36,13 @@ UNITS = {
     "acceleration": "rad/s^2, m/s^2",
 }  # fmt: skip
 
-PROFILE = "{type: s_curve, speed: 0.25, acceleration: 1.0, jerk: 10.0}"
+PROFILE = {"type": "s_curve", "speed": 0.25, "acceleration": 1.0, "jerk": 10.0}
 """The profile where none is given: what is gentle for a robot of a metre."""
 
 _SAMPLES, _CHECKS = 400, ("checks", "swings")
+
+_OF_MOVES = {"start": "from", "end": "to", "speed": "largest speed", "acceleration": "largest acceleration"}
+"""Numbers of a move of a joint, and their heads."""
 
 _BY_TIME = {"duration": 1, "speed": -1, "acceleration": -2, "jerk": -3}
 """Numbers of profiles, and with which power of a factor on the time they grow."""
@@ -47,25 +50,32 @@ _BY_TIME = {"duration": 1, "speed": -1, "acceleration": -2, "jerk": -3}
 _TRIALS, _DOUBLINGS, _CLOSE = 14, 7, 0.01
 """Of the search for the least time: how many there usually are, doublings at most, within which share it is found."""
 
+SMOOTH = (ReferenceKind.INVERSE, ReferenceKind.OPTIMAL)
+"""References that want a profile with smooth derivatives."""
+
 Group = str | Mapping[str, Any]
+Progress = Callable[[str, float], None]
 
 
 @checked_arguments
 def follow(
     robot: Robot,
-    path: Group | Sequence[Group],
+    path: Group | Sequence[Group] | None = None,
     *,
     profile: Group | None = None,
-    tolerance: float = 1e-7,
-    reference: str = "rigid",
-    least_time: bool = False,
+    reference: str | None = None,
+    least_time: bool | None = None,
     shaper: Group | None = None,
+    fit: float | None = None,
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
-    progress: Callable[[str, float], None] = lambda stage, share: None,
+    progress: Progress = lambda stage, share: None,
 ) -> Following:
-    """Joint references of a ``path`` of the tip, or of the joints, and the robot whose drives follow it.
+    """References of a path of the tip, or of the joints, and the robot whose drives follow it.
+
+    The arguments are keys of the sheet's ``task``, and go before what it says; what neither has is as below. A run of
+    a sheet with such a task follows the same references.
 
     ``path``: a group such as ``{"type": "line", "to": [0.6, 0.0, 0.2]}`` [m], or text like it; several follow one
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
@@ -74,12 +84,12 @@ def follow(
     "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out; or a timing within the limits of the rigid
     robot's joints: ``{"type": "jerk_limited", "jerk": 100.0}``, an S-curve, or ``{"type": "toppra"}``, the least
     time (extra `planning`). It starts where the first commands put the rigid robot, whose inverse kinematics gives the
-    joints; ``tolerance`` [m, rad] of its tip between the rows of the references.
+    joints; ``fit`` [m, rad; 1e-7]: of its tip between the rows of the references.
 
-    ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
-    efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
-    tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
-    ``inverse``: motions and efforts with which the tip of the moving robot is on the path, in contact too
+    ``reference``: setpoints of the motors. ``rigid``, the default: the joints of the rigid robot. ``motors``: these,
+    and the efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go
+    where the tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their
+    efforts. ``inverse``: motions and efforts with which the tip of the moving robot is on the path, in contact too
     (:mod:`tmodes.analysis.inversion`); they may begin before the path does. ``optimal``: in the time of the path,
     within the limits of speed and effort of the sheet, from rest at its start to rest at its end without swing, in
     between as near to it as that leaves open, by exact derivatives of runs (:mod:`tmodes.gradients.optimal`). Runs of
@@ -90,7 +100,8 @@ def follow(
     ``frequencies`` [Hz] for the robot's first mode, in the middle between its lowest and its highest frequency on the
     path. ``out``: a file for the sheet; ``figure``: one for the references.
 
-    Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
+    Raises :class:`tmodes.errors.InputErrors` with all that is wrong in the task,
+    :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
     L. Villani, G. Oriolo, Robotics: Modelling, Planning and Control (2009), ch. 3 and 4.
 
@@ -98,96 +109,115 @@ def follow(
     >>> round(found.length, 4), found.error < 1e-7, found.robot.drives[0].signal.type
     (0.2065, True, 'trajectory')
     """
-    from tmodes.interface.references import REFERENCES, SMOOTH, shortest
-    from tmodes.kinds.paths.registry import Path
-
-    groups = [path] if isinstance(path, str | Mapping) else [*path]
-    if not groups or not tolerance > 0:
-        raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
-                         "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
-    paths = [_member(Path, _group("--path", one), "path") for one in groups]
-    tell = (lambda stage, share: None) if least_time else progress
-    smooth = _known(reference) in SMOOTH and profile is None
-    pace = _Pace.of(profile, shaper, smooth=smooth, timed=not least_time)
-    if pace.wants_mode:
-        plain = replace(pace, shaper=None).followed(robot, paths, 1.0, tolerance, tell)
-        pace = replace(pace, shaper={**(pace.shaper or {}), **_first_mode(robot, plain)})
-
-    def timed(factor: float) -> Followed:
-        return pace.followed(robot, paths, factor, tolerance, tell)
-
-    def tried(factor: float) -> tuple[Followed, Reference]:
-        found = timed(factor)
-        return found, REFERENCES[reference](robot, found, tolerance, tell)
-
-    if least_time and reference == "optimal":
-        own = float(timed(1.0).times[-1])
-        found, given = shortest(robot, lambda seconds: timed(seconds / own), own, progress)
-    else:
-        found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
-    made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
-    if reference != "rigid":
+    options = {"path": path, "profile": profile, "reference": reference, "least_time": least_time, "shaper": shaper,
+               "fit": fit}  # fmt: skip
+    task, own = _asked(robot, options), robot.pathless
+    found, given = _planned(own, task, progress)
+    made = Following(robot, given.applied(own, found), found, task, given)
+    if task.reference != ReferenceKind.RIGID:
         progress("check", 0.0)
-        both = given.checks(robot, made.robot, found)
+        both = given.checks(own, made.robot, found)
         made = replace(made, **{key: {name: row[k] for name, row in both.items()} for k, key in enumerate(_CHECKS)})
     write_files(out, made, figure, overwrite=overwrite)
     return made
 
 
+def commanded_robot(robot: Robot, progress: Progress = lambda stage, share: None) -> Robot:
+    """The robot whose drives follow the path of its task, as in the sheet that :func:`follow` writes.
+
+    Raises :class:`tmodes.errors.InputError` as it does, and for drives that have a motion of their own.
+    """
+    task, own = robot.task, robot.pathless
+    assert task  # noqa: S101
+    for drive in robot.drives:
+        which, hint = f"drives.{drive.joint}", "or remove `task.path`"
+        rows = drive.signal.schedule(drive.signal.move_ends() or 1.0).coefficients
+        if drive.command.is_motion and (rows[:, 1:].any() or np.ptp(rows[:, 0])):
+            got, expected = f"`{drive.signal.type}`, which moves", "a value that stays, from which `task.path` starts"
+            raise InputError(f"{which}.signal", got, expected,
+                             f"write {{type: constant, value: {rows[0, 0]:.12g}}}, {hint}")  # fmt: skip
+        for name in ("motion", "feed_forward"):
+            if drive.command.is_motion and getattr(drive, name) is not None:
+                raise InputError(f"{which}.{name}", "given", "left out: `task.path` gives it", f"remove it, {hint}")
+    found, given = _planned(own, task, progress)
+    return given.applied(own, found)
+
+
+def _asked(robot: Robot, options: Mapping[str, Any]) -> Task:
+    """The task of the sheet, its keys in place of which the options go; read as a sheet is."""
+    known = robot.task.model_dump(mode="json") if robot.task else {}
+    given = {name: _plain(name, value) for name, value in options.items() if value is not None}
+    if "path" not in known | given:
+        hint = "add --path '{type: line, to: [0.6, 0, 0.2]}', or `task: {path: ...}` to the sheet"
+        raise InputError("task.path", "nothing", "a path of the tip, or of the joints", hint)
+    task = robot.with_({"task": known | given}).task
+    assert task  # noqa: S101
+    return task
+
+
+def _plain(name: str, value: Any) -> Any:
+    """Plain data of an argument, of text like ``{type: line, to: [1, 0, 0]}`` too; one of several is itself."""
+    if isinstance(value, list | tuple):
+        each = [_plain(name, one) for one in value]
+        return each[0] if len(each) == 1 else each
+    return parse_assignment(f"task.{name}={value}")[1] if isinstance(value, str) else value
+
+
+def _planned(robot: Robot, task: Task, progress: Progress) -> tuple[Followed, Reference]:
+    """Rows of the joints along the path of a task, and what the motors of a robot without one do for it."""
+    from tmodes.interface.references import REFERENCES, shortest
+
+    tell = (lambda stage, share: None) if task.least_time else progress
+    pace = _Pace(task)
+    if task.shaper and not task.shaper.frequencies:
+        bare = replace(pace, task=task.model_copy(update={"shaper": None}))
+        mode = _first_mode(robot, bare.followed(robot, 1.0, tell))
+        pace = replace(pace, task=task.model_copy(update={"shaper": task.shaper.model_copy(update=mode)}))
+
+    def timed(factor: float) -> Followed:
+        return pace.followed(robot, factor, tell)
+
+    def tried(factor: float) -> tuple[Followed, Reference]:
+        found = timed(factor)
+        return found, REFERENCES[task.reference](robot, found, task.fit, tell)
+
+    if task.least_time and task.reference == ReferenceKind.OPTIMAL:
+        own = float(timed(1.0).times[-1])
+        return shortest(robot, lambda seconds: timed(seconds / own), own, progress)
+    return _least_time(robot, tried, progress) if task.least_time else tried(1.0)
+
+
 @dataclass(frozen=True)
 class _Pace:
-    """How fast to go along paths: by a ``profile``, or a ``timing``; ``shaper``: of the way over time."""
+    """How fast to go along the paths of a task."""
 
-    profile: dict[str, Any]
-    timing: Timing | None
-    shaper: dict[str, Any] | None
-    smooth: bool
+    task: Task
 
-    @classmethod
-    def of(cls, profile: Group | None, shaper: Group | None, *, smooth: bool, timed: bool) -> _Pace:
-        """From plain data; ``smooth``: a profile of its own for each length. Raises as :func:`follow`."""
-        from tmodes.kinds.shapers.registry import Shaper
-        from tmodes.kinds.timings.registry import TIMINGS, Timing
-
-        law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
-               if key not in ("start", "end")}  # fmt: skip
-        shape = None if shaper is None else _group("--shaper", shaper)
-        if shape is not None:
-            _refuse_kind(Shaper, shape, "--shaper")
-        if law.get("type") not in TIMINGS:
-            return cls(law, None, shape, smooth)
-        if not timed:
-            expected, hint = "a profile whose time changes", "leave `--least-time` out: the timing is found by it"
-            raise InputError("--least-time", f"the timing `{law['type']}`", expected, hint)
-        return cls(_group("--profile", PROFILE), _member(Timing, law, "profile"), shape, smooth)
-
-    @property
-    def wants_mode(self) -> bool:
-        """Whether its shaper is for a mode of the robot."""
-        return bool(self.shaper) and not self.shaper.get("frequencies")
-
-    def followed(self, robot: Robot, paths: Sequence[Any], factor: float, tolerance: float, tell: Any) -> Followed:
-        """The paths at a profile whose time is that of the sheet times a factor."""
+    def followed(self, robot: Robot, factor: float, tell: Progress) -> Followed:
+        """The paths at a profile whose time is its own times a factor."""
         from tmodes.analysis.follow import followed
         from tmodes.analysis.timing import timed_ways
 
-        found = followed(robot, paths, lambda length: self._signal(self._move(length, factor)), tolerance, tell)
-        if self.timing is None:
+        task, timing = self.task, self.task.timing
+        found = followed(robot, task.paths, lambda length: self._shaped(self._move(length, factor), timing is None),
+                         task.fit, tell)  # fmt: skip
+        if timing is None:
             return found
-        ways = iter(timed_ways(robot, found, self.timing))
-        return followed(robot, paths, lambda length: self._signal(next(ways), shaped=True), tolerance, tell)
+        ways = iter(timed_ways(robot, found, timing))
+        return followed(robot, task.paths, lambda length: self._shaped(Signal.of(next(ways)), True), task.fit, tell)
 
-    def _move(self, length: float, factor: float) -> dict[str, Any]:
-        own = _smooth(length) if self.smooth else {**self.profile, "start": 0.0, "end": length}
-        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
-        return own | known
+    def _move(self, length: float, factor: float) -> Signal:
+        law: Any = self.task.profile
+        if law is None or self.task.timing:
+            gentle = _smooth(length) if law is None and self.task.reference in SMOOTH else PROFILE
+            law = Signal.of({**gentle, **ENDS})
+        own = {name: getattr(law, name) for name in type(law).model_fields} | {"start": 0.0, "end": length}
+        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if own.get(key)}
+        return type(law).model_construct(None, **own | (known if factor != 1 else {}))
 
-    def _signal(self, move: dict[str, Any], *, shaped: bool = False) -> Signal:
-        from tmodes.kinds.signals.registry import Signal
-
-        if self.shaper and (shaped or not self.timing):
-            move = {"type": "shaped", "signal": move, "shaper": self.shaper}
-        return _member(Signal, move, "profile")
+    def _shaped(self, move: Signal, wanted: bool) -> Signal:
+        shape = self.task.shaper
+        return Signal.of({"type": "shaped", "signal": move, "shaper": shape}) if shape and wanted else move
 
 
 def _least_time(
@@ -207,7 +237,7 @@ def _least_time(
         progress("least time", min(0.9, len(done) / _TRIALS))
         found, given = tried(math.exp(log))
         if given.efforts is None and any(joint.limits and joint.limits.effort for joint in robot.joints):
-            needed = REFERENCES["motors"](robot, given.positions, 0.0, lambda stage, share: None)
+            needed = REFERENCES[ReferenceKind.MOTORS](robot, given.positions, 0.0, lambda stage, share: None)
         else:
             needed = given
         done[log] = largest_load(robot, needed), found, given
@@ -219,7 +249,7 @@ def _least_time(
         if abs(load(logs[-1]) - math.log(done[logs[-2]][0])) < _CLOSE or len(logs) > _DOUBLINGS:
             share = done[logs[-1]][0]
             got = f"{share:.3g} of a limit however slow" if here > 0 else f"{share:.3g} of all limits however fast"
-            raise InputError("--least-time", got, "limits that a time just keeps", "correct `limits` of the joints")
+            raise InputError("task.least_time", got, "limits that a time just keeps", "correct `limits` of the joints")
     if here:
         brentq(load, *sorted(logs[-2:]), xtol=_CLOSE / 2)
     _, found, given = done[min(log for log, (share, *_) in done.items() if share <= 1.0)]
@@ -231,91 +261,43 @@ def _first_mode(robot: Robot, found: Followed) -> dict[str, Any]:
     from tmodes.interface.references import REFERENCES
     from tmodes.interface.shaping import middle_modes
 
-    rigid = REFERENCES["rigid"](robot, found, 0.0, lambda stage, share: None)
+    rigid = REFERENCES[ReferenceKind.RIGID](robot, found, 0.0, lambda stage, share: None)
     return middle_modes(rigid.applied(robot, found), (1,), "path")[0]
 
 
 def _smooth(length: float) -> dict[str, Any]:
     """A move about as fast as :data:`PROFILE` with four smooth derivatives, as the inverse needs them."""
     duration = max(10.0 * length, 3.1 * length**0.5, 0.1)  # speed and acceleration of the polynomial at most 0.25, 1
-    return {"type": "polynomial", "start": 0.0, "end": length, "duration": duration}
-
-
-def _known(reference: str) -> str:
-    from tmodes.interface.references import REFERENCES
-
-    if reference not in REFERENCES:
-        hint = meant(reference, [*REFERENCES], "take one of these")
-        raise InputError("--reference", shown(reference), f"one of {', '.join(REFERENCES)}", hint)
-    return reference
-
-
-def _group(which: str, given: Any) -> dict[str, Any]:
-    """Plain data of a group, or of text like ``{type: line, to: [1, 0, 0]}``."""
-    value = parse_assignment(f"{which}={given}")[1] if isinstance(given, str) else given
-    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
-        raise InputError(
-            which, shown(given), "a group with a `type`", "write it like '{type: line, to: [0.6, 0, 0.2]}'"
-        )
-    return dict(value)
-
-
-def _refuse_kind(family: Any, data: dict[str, Any], which: str) -> None:
-    """Raise :class:`tmodes.errors.InputError` where plain data name no kind of a family."""
-    if family.kind_named(data) is None:
-        known = ", ".join(family.registry.names)
-        raise InputError(f"{which}.type", shown(data.get("type")), f"one of {known}", "name a kind")
-
-
-def _member(family: Any, data: dict[str, Any], which: str) -> Any:
-    """A member of a family from plain data; raises :class:`tmodes.errors.InputErrors` with all that is wrong."""
-    from pydantic import ValidationError
-
-    _refuse_kind(family, data, which)
-    try:
-        return family.of(data)
-    except ValidationError as error:
-        raise InputErrors([*_wrong(error, which)]) from None
-
-
-_BOUNDS = {"ge": "at least", "gt": "above", "le": "at most", "lt": "below"}
-
-
-def _wrong(error: Any, which: str) -> Iterator[InputError]:
-    for one in error.errors()[:5]:
-        place = ".".join([which, *map(str, one["loc"])])
-        for issue in one.get("ctx", {}).get("issues", ()):
-            yield InputError(f"{place}.{issue.field}", issue.got, issue.expected, issue.hint)
-        if one["type"] != "issues":
-            got = "nothing" if one["type"] == "missing" else shown(one["input"])
-            size = one.get("ctx", {}).get("min_length", one.get("ctx", {}).get("max_length"))
-            known: dict[str, str] = {
-                "missing": "a value", "extra_forbidden": "a key that it has",
-                "too_short": f"{size} values or more", "too_long": f"{size} values or fewer",
-            }  # fmt: skip
-            limits = [f"{_BOUNDS[key]} {limit:g}" for key, limit in one.get("ctx", {}).items() if key in _BOUNDS]
-            expected = known.get(str(one["type"])) or " and ".join(limits) or str(one["msg"]).lower()
-            yield InputError(place, got, expected, "correct it, or leave it out")
+    return {"type": "polynomial", "duration": duration}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Following(CommandResult):
-    """The ``robot`` whose drives follow a path; ``found``: the rows of their references.
+    """The ``robot`` whose drives follow the path of a ``task``; ``found``: rows of the rigid robot's joints along it.
 
-    ``reference``: its kind, ``motors``: what that is. ``checks`` [m]: largest distance of the tip of the nominal robot
-    from the path, under its controllers with the ``rigid`` reference, with ``this`` one, and in ``open loop`` by the
-    efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the same after the motion, for half
-    its time, from where the tip rests at the end of the path.
+    ``motors``: the reference, setpoints of the motors and what else they are given. ``checks`` [m]: largest distance
+    of the tip of the nominal robot from the path, under its controllers with the ``rigid`` reference, with ``this``
+    one, and in ``open loop`` by the efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the
+    same after the motion, for half its time, from where the tip rests at the end of the path.
     """
 
     given: Robot = field(repr=False)
     robot: Any = field(repr=False)
     found: Followed
-    kinds: tuple[str, ...]
-    reference: str = "rigid"
-    motors: Reference | None = None
+    task: Task
+    motors: Reference
     checks: Mapping[str, float] = field(default_factory=dict)
     swings: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Of the paths."""
+        return tuple(str(one.type) for one in self.task.paths)
+
+    @property
+    def reference(self) -> str:
+        """Its kind."""
+        return str(self.task.reference)
 
     @property
     def length(self) -> float:
@@ -330,7 +312,7 @@ class Following(CommandResult):
     @property
     def lead(self) -> float:
         """How long the motors move before the path begins [s]."""
-        return self.motors.lead if self.motors else 0.0
+        return self.motors.lead
 
     @property
     def error(self) -> float:
@@ -347,7 +329,7 @@ class Following(CommandResult):
     @property
     def warnings(self) -> list[str]:
         """What is to be known about it."""
-        return [] if self.motors is None else [*self.motors.warnings]
+        return [*self.motors.warnings]
 
     def info(self) -> dict[str, Any]:
         """Plain data, as ``tmodes follow --json`` prints it."""
@@ -356,40 +338,47 @@ class Following(CommandResult):
             "robot": self.given.name, "units": UNITS, "paths": list(self.kinds), "length": self.length,
             "reference": self.reference, "lead_s": self.lead, "duration_s": self.duration, "rows": len(found.times),
             "error_m": found.error, "turned_rad": found.turned,
-            "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
-                              "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
-                       for k, name in enumerate(found.joints)},
+            **{group: {name: dict(zip(_OF_MOVES, row, strict=True)) for name, row in rows.items()}
+               for group, rows in self._moves.items()},
             "tip_error_m": dict(self.checks), "swing_m": dict(self.swings), "warnings": self.warnings,
         }  # fmt: skip
 
     @property
-    def _largest(self) -> tuple[Any, Any]:
-        """Largest speed and acceleration of each joint (joints,)."""
-        data = self.data
-        return tuple(np.abs(data[name].values).max(axis=0) for name in ("velocity", "acceleration"))  # type: ignore[return-value]
+    def _moves(self) -> dict[str, dict[str, list[float]]]:
+        """First and last position, largest speed and acceleration by joint: of the rigid robot, of the motors."""
+        data, found = self.data, dict[str, dict[str, list[float]]]()
+        for group, head, rows in (("joints", "joint_", self.found), ("setpoints", "", self.motors.positions)):
+            largest = [np.abs(data[f"{head}{name}"].values).max(axis=0) for name in ("velocity", "acceleration")]
+            columns = np.stack([*rows.values[[0, -1]], *largest], axis=1)
+            found[group] = dict(zip(rows.joints, columns.tolist(), strict=True))
+        return found
 
     @property
     def data(self) -> Dataset:
-        """``position``, ``velocity``, ``acceleration`` (time, joint) [rad, m, s] at even times."""
+        """``position``, ``velocity``, ``acceleration`` (time, joint) of the setpoints at even times [rad, m, s].
+
+        ``joint_position`` and so on: of the rigid robot's joints along the path.
+        """
         from xarray import Dataset
 
-        end = self.motors.end if self.motors else self.duration
-        times, drives = np.linspace(0.0, end, _SAMPLES), {drive.joint: drive for drive in self.robot.drives}
-        pieces = [drives[joint].signal.schedule(end) for joint in self.found.joints]
+        end, drives = self.motors.end, {drive.joint: drive for drive in self.robot.drives}
+        times, own = np.linspace(0.0, end, _SAMPLES), [drives[joint] for joint in self.found.joints]
         names = ("position", "rad, m"), ("velocity", "rad/s, m/s"), ("acceleration", "rad/s^2, m/s^2")
-        return Dataset(
-            {name: (("time", "joint"), np.stack([one.at(times, order) for one in pieces], axis=1), {"units": unit})
-             for order, (name, unit) in enumerate(names)},
-            {"time": ("time", times, {"units": "s"}), "joint": list(self.found.joints)},
-        )  # fmt: skip
+        series = dict[str, Any]()
+        for head, signals in (("", [one.signal for one in own]), ("joint_", [one.motion or one.signal for one in own])):
+            pieces = [one.schedule(end) for one in signals]
+            for order, (name, unit) in enumerate(names):
+                values = np.stack([one.at(times, order) for one in pieces], axis=1)
+                series[f"{head}{name}"] = ("time", "joint"), values, {"units": unit}
+        return Dataset(series, {"time": ("time", times, {"units": "s"}), "joint": list(self.found.joints)})
 
     def plot(self, ax: Any = None) -> list[Any]:
-        """Positions of the motors over time."""
+        """Setpoints of the motors over time."""
         from tmodes.plot.commands import points
 
         data = self.data
         shown_ = {name: (data.time.values, data.position.values[:, k]) for k, name in enumerate(self.found.joints)}
-        return points(shown_, "time [s]", "reference [rad, m]", title=f"{self.given.name}: {', '.join(self.kinds)}",
+        return points(shown_, "time [s]", "setpoint [rad, m]", title=f"{self.given.name}: {', '.join(self.kinds)}",
                       ax=ax, line="-", marks=False)  # fmt: skip
 
     def tables(self) -> Iterator[str | Table]:
@@ -410,14 +399,10 @@ class Following(CommandResult):
                     for name, value in self.checks.items()]  # fmt: skip
             yield Table("Nominal robot: largest distance of the tip [m]", ["reference", "from the path", "afterwards"],
                         rows)  # fmt: skip
-        rows = [
-            [
-                name,
-                *(
-                    f"{value:.5g}"
-                    for value in (found.values[0, k], found.values[-1, k], *(one[k] for one in self._largest))
-                ),
-            ]
-            for k, name in enumerate(found.joints)
-        ]
-        yield Table("References [rad, m, s]", ["joint", "from", "to", "largest speed", "largest acceleration"], rows)
+        same = self.motors.positions is found
+        titles = {"joints": "Joints of the rigid robot" + (", and setpoints" if same else ""),
+                  "setpoints": "Setpoints of the motors"}  # fmt: skip
+        for group, rows in self._moves.items():
+            if group == "joints" or not same:
+                yield Table(f"{titles[group]} [rad, m, s]", ["joint", *_OF_MOVES.values()],
+                            [[name, *(f"{value:.5g}" for value in row)] for name, row in rows.items()])  # fmt: skip

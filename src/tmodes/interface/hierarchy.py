@@ -53,7 +53,7 @@ def hierarchy(
     """
     from tmodes.simulation.hierarchy.hierarchy import ladder
 
-    return Hierarchy(ladder(robot, tolerance, finest=finest, progress=progress))
+    return Hierarchy(ladder(robot.commanded(progress), tolerance, finest=finest, progress=progress))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -76,6 +76,7 @@ def learn(
     """
     import numpy as np
 
+    robot = robot.commanded(progress)
     for name, value in (("iterations", iterations), ("samples", samples)):
         low, high = _MOST[name]
         if not low <= value <= high:

@@ -77,6 +77,7 @@ def linearize(
 
     closed, chosen = closed or loop is not None, (_names(inputs), _names(outputs))
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
+    robot = robot.pathless if time is None and not closed else robot.commanded(progress)
     robot = robot if closed else driven(robot, chosen[0])
     outs = [f"{drive.joint}.position" for drive in robot.drives] or ["tip.x", "tip.y", "tip.z"]
     held = pose_of(at, robot)

@@ -88,6 +88,7 @@ def motion(
     from tmodes.gradients.least_time import least_time as shortest
     from tmodes.gradients.optimal import RestToRest
 
+    robot = robot.pathless
     freed(robot)
     if method not in _METHODS:
         hint = meant(method, _METHODS, "take one of these")

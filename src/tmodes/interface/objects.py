@@ -100,7 +100,8 @@ def run(
     """Plan with the robot as known, run the actual one under control, and return the :class:`tmodes.Result`.
 
     ``robot``: its ``real`` factors make the actual one; or a pair of your own, which takes none of the settings. A
-    robot without drives moves freely from its ``initial`` state. ``reading``: of a sheet of the 2010 robot;
+    robot without drives moves freely from its ``initial`` state; one with a path in its ``task`` follows it as
+    :func:`tmodes.follow` says. ``reading``: of a sheet of the 2010 robot;
     ``contact``: touch the environment, or not; ``integrator``, ``rtol``, ``atol``, ``check_error``,
     ``error_estimate``, ``model_error``, ``duration`` [s], ``stop_at_limits`` and ``settling_band`` set the keys of
     ``integration`` by these names; ``stop``: one or several conditions, next to ``integration.stop``. ``controller``:
@@ -126,7 +127,7 @@ def run(
         model_error=model_error, duration=duration, stop_at_limits=stop_at_limits, settling_band=settling_band,
     )  # fmt: skip
     if isinstance(robot, Sheet):
-        robot = prepared(robot, reading, contact, changes, stop_at_limits=stop_at_limits)
+        robot = prepared(robot, reading, contact, changes, stop_at_limits=stop_at_limits).commanded(progress)
     elif changes or reading is not None or contact is not None or out is not None:
         hint = "set them in both robots of the pair"
         raise InputError("settings of a run", "given for a pair of robots", "left out for a pair", hint)
@@ -259,6 +260,8 @@ class Robot(sheet.Robot):
             for joint in self.joints
         ]  # fmt: skip
         yield Table("", ["joint", "type", "gear stiffness [SI]", "carries", "drive"], rows)
+        if self.task and self.task.paths:
+            yield f"task: {', '.join(str(one.type) for one in self.task.paths)}, reference {self.task.reference}"
         beams = {link.name: cast("Any", link.beam) for link in self.links if link.beam and link.beam.coordinate_count}
         if beams:
             yield f"flexible links: {', '.join(f'{name} ({beam.model})' for name, beam in beams.items())}"

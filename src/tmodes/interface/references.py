@@ -26,10 +26,11 @@ from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, ControlSheet, DriveSheet, Initial, InitialState
+from tmodes.sheet.task import ReferenceKind
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["REFERENCES", "SMOOTH", "Reference", "largest_load", "shortest"]
+__all__ = ["REFERENCES", "Reference", "largest_load", "shortest"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -77,7 +78,8 @@ class Reference:
             drives[places[joint]] = drive.model_copy(update=made)
         end = max(robot.integration.duration, self.end)
         settings = robot.integration.model_copy(update={"duration": end})
-        made = robot.model_copy(update={"drives": tuple(drives), "integration": settings})
+        task = robot.task and robot.task.judged
+        made = robot.model_copy(update={"drives": tuple(drives), "integration": settings, "task": task})
         return made.model_copy(update={"control": tuple(self._known(robot, one) for one in robot.control)})
 
     def _known(self, robot: Robot, sheet: ControlSheet) -> ControlSheet:
@@ -150,7 +152,7 @@ def largest_load(robot: Robot, reference: Reference) -> float:
 
 def _unlimited() -> InputError:
     hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints"
-    return InputError("--least-time", "no limit of speed or effort", "a limit of a joint that moves", hint)
+    return InputError("task.least_time", "no limit of speed or effort", "a limit of a joint that moves", hint)
 
 
 def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
@@ -346,10 +348,7 @@ def shortest(
     return path, _driven(robot, path, best, found)
 
 
-SMOOTH = {"inverse", "optimal"}
-"""References that want a profile with smooth derivatives."""
-
-REFERENCES: Mapping[str, Callable[[Robot, Followed, float, Progress], Reference]] = {
-    "rigid": _rigid, "motors": _motors, "sag": _sag, "inverse": _inverse, "optimal": _optimal,
+REFERENCES: Mapping[ReferenceKind, Callable[[Robot, Followed, float, Progress], Reference]] = {
+    ReferenceKind.RIGID: _rigid, ReferenceKind.MOTORS: _motors, ReferenceKind.SAG: _sag,
+    ReferenceKind.INVERSE: _inverse, ReferenceKind.OPTIMAL: _optimal,
 }  # fmt: skip
-"""By name, from what is known least to most."""

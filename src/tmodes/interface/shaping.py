@@ -89,6 +89,7 @@ def shaper(
     """
     given = _given(kind, frequency, damping, tolerated)
     along: list[ModeAlong] = []
+    robot = robot.commanded(progress)
     if not frequency:
         numbers, along = middle_modes(robot, modes, where, progress)
         given |= numbers

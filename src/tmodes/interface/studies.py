@@ -106,7 +106,7 @@ def changed_study(asked: Study, changes: Mapping[str, Any], runs: int | None) ->
         if asked.robot is None:
             raise InputError("--set", "a study without a robot", "given for a study of a robot", "leave it out")
         sheet["set"] = {**sheet.get("set", {}), **changes}
-        robot = sheet_data(asked.robot.with_(changes))
+        robot = sheet_data(asked.robot.stated.with_(changes))
     if runs is None and not changes:
         return asked
     found = asked.from_data({"study": sheet, "robot": robot}, functions=asked.functions)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -34,6 +35,9 @@ Gains = Sequence[str] | Mapping[str, Sequence[float]]
 Progress = Callable[[str, float], None]
 
 _AT_END, _AT_LIMIT, _LIMIT_PASSED = 1e-3, 0.99, 1 + 1e-6
+
+_IDLE = 1e-4
+"""Effect of a gain below which it is said to have none."""
 
 
 @checked_arguments
@@ -83,7 +87,7 @@ def tune(
     from tmodes.interface.files import write_files
 
     whole = Whole.of(robot)
-    plant = whole.with_({"real": {}})
+    plant = Whole.of(whole.commanded(progress)).with_({"real": {}})
     if not (within > 1.0):
         raise InputError("within", f"{within:g}", "a number > 1", "write 10: from a tenth to ten times the gain")
     ranges = _ranges(plant, gains, within)
@@ -113,7 +117,11 @@ def _named(how: str, what: str) -> str:
 
 @dataclass(frozen=True)
 class Gain:
-    """One gain by its ``path`` [``unit``]: what it was and is, and between what it was searched."""
+    """One gain by its ``path`` [``unit``]: what it was and is, and between what it was searched.
+
+    ``effect``: largest change of what is made small, as a share of what it is, where this gain alone goes to an end of
+    its range; None where a run fails there.
+    """
 
     path: str
     unit: str
@@ -121,6 +129,12 @@ class Gain:
     after: float
     low: float
     high: float
+    effect: float | None = None
+
+    @property
+    def idle(self) -> bool:
+        """Whether it has no effect on what is made small."""
+        return self.effect is not None and self.effect < _IDLE
 
     @property
     def end(self) -> str:
@@ -265,13 +279,31 @@ def _in_all_cases(found: Optimum, study: Study, best: Candidate | None) -> list[
     return [{name: one.reshape(2, -1)[k] for name, one in quantities.items()} for k in (0, 1)]
 
 
+def _effects(found: Optimum, best: Candidate, names: Collection[str]) -> list[float | None]:
+    """The largest change of quantities, as a share of what they are in the worst case, by each gain alone."""
+    import numpy as np
+
+    trials = found.trials
+    assert trials  # noqa: S101
+    own = np.array([*best.values.values()])
+    ends = np.repeat(own[None], 2 * len(own), axis=0)
+    for k, pair in enumerate(np.stack([trials.space.low, trials.space.high], axis=1)):
+        ends[2 * k : 2 * k + 2, k] = pair
+    rows = trials.study.evaluate(0, trials.cases_of(np.vstack([own, ends])))
+    worst = np.array([rows.quantities[name].reshape(len(ends) + 1, -1).max(axis=1) for name in names])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.abs(worst[:, 1:] / worst[:, :1] - 1.0).max(axis=0).reshape(-1, 2).max(axis=1)
+    return [share if math.isfinite(share) else None for share in shares.tolist()]
+
+
 def _tuning(
     whole: UsersRobot, plant: UsersRobot, ranges: Mapping[str, Gain], words: Mapping[str, str], optimum: Optimum,
     family: tuple[str, ...],
 ) -> Tuning:  # fmt: skip
     best, trials = weighed(optimum), optimum.trials
     assert trials  # noqa: S101
-    gains = tuple(replace(one, after=best.values[name]) for name, one in ranges.items())
+    effects = dict(zip(ranges, _effects(optimum, best, words), strict=True))
+    gains = tuple(replace(one, after=best.values[name], effect=effects[name]) for name, one in ranges.items())
     before, after = _in_all_cases(optimum, trials.study, best)
     changed = {one.path: one.after for one in gains}
     units = trials.study.evaluate(0, trials.study.space.nominal[None]).units
@@ -420,6 +452,8 @@ class Tuning(CommandResult):
         if self.against:
             yield curve_table(self, self.against)
         yield "\n".join(f"Limited: {one}." for one in self.limited)
+        if idle := [one.path for one in self.gains if one.idle]:
+            yield f"Without effect on the {self.what} from end to end of the range: {', '.join(idle)}."
 
     @property
     def warnings(self) -> list[str]:

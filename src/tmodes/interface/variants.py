@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -85,14 +85,19 @@ def read_task(
     return replace(found, uncertain=uncertain or found.uncertain, plan=plan or found.plan, tolerance=accepted)
 
 
-def varied(robot: Robot, name: str, given: Any, task: Task) -> UsersRobot:
-    """The robot of one variant; raises :class:`tmodes.errors.InputErrors` with the path of each wrong value."""
+def varied(
+    robot: Robot, name: str, given: Any, task: Task, progress: Callable[[str, float], None] = lambda stage, share: None
+) -> UsersRobot:
+    """The robot of one variant, its drives on the path of its task.
+
+    Raises :class:`tmodes.errors.InputErrors` with the path of each wrong value.
+    """
     from tmodes import Robot as Whole
     from tmodes.sheet import Robot as Sheet
 
     here = f"variants.{name}"
     if isinstance(given, Sheet):
-        return Whole.of(given)
+        return Whole.of(given.commanded(progress))
     if not isinstance(given, Mapping):
         hint = "write `{}` for the robot as it is, or values by their paths"
         raise task.located(InputError(here, shown(given), "values by path, or a robot", hint), here)
@@ -101,6 +106,7 @@ def varied(robot: Robot, name: str, given: Any, task: Task) -> UsersRobot:
         changes.setdefault(f"drives.{drive}.controller", None)  # the block commands it
     try:
         found = Whole.of(robot).with_(changes) if changes else Whole.of(robot)
+        found = Whole.of(found.commanded(progress))
         return Whole.of(found.shaper(**_of_shaper(given[_SHAPER])).robot) if _SHAPER in given else found
     except InputError as error:
         raise task.located(error, f"{here}.{error.which}") from None

@@ -76,8 +76,9 @@ def chosen(place: ChainPlace, value: Any) -> Any:
     members = place.members
     if len(members) == 1:
         return members[0]
-    if isinstance(value, str):
-        return str if str in members else None
+    if isinstance(value, str | list):
+        kind = str if isinstance(value, str) else tuple
+        return next((one for one in members if kind in (one, get_origin(one))), None)
     groups = [member for member in members if is_group(member)]
     if len(groups) == 1:
         return groups[0]

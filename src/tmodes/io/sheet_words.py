@@ -102,8 +102,9 @@ class ChainPlace:
     @property
     def tagged(self) -> bool:
         """Whether the validator names the chosen type as a step of its locations."""
-        several = len(types_of(self.annotation)) > 1
-        return several and not any(is_group(member) and member.chosen_by()[1] for member in self.members)
+        several, groups = types_of(self.annotation), [one for one in self.members if is_group(one)]
+        families = [one for one in several if is_group(one) and one.members() != (one,)]
+        return len(several) > 1 and not families and not any(one.chosen_by()[1] for one in groups)
 
     @property
     def may_be_left_out(self) -> bool:

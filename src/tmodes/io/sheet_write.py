@@ -79,6 +79,13 @@ def _entry(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: Any
         yield from _values(key, value, steps, indent, data)
 
 
+def _flow(value: Any, quantity: bool) -> str:
+    """A scalar, or a list of them or of lists, in one line."""
+    if isinstance(value, list):
+        return f"[{', '.join(_flow(item, quantity) for item in value)}]"
+    return scalar_text(value, quantity)
+
+
 def _values(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: Any) -> Iterator[str]:
     """A scalar or a list of numbers, with what it is; a long list one number in a line."""
     place = place_of(steps, data)
@@ -86,8 +93,7 @@ def _values(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: An
     comment = f" # {place.extra['symbol']} [{place.unit}] {place.meaning}" if quantity and place else ""
     if isinstance(value, list) and len(value) > 12:
         yield f"{key:<{COLUMN}}{comment}" if comment else key
-        yield from (f"{indent}  - {scalar_text(item, quantity)}" for item in value)
+        yield from (f"{indent}  - {_flow(item, quantity)}" for item in value)
         return
-    items = f"[{', '.join(scalar_text(item, quantity) for item in value)}]" if isinstance(value, list) else ""
-    line = f"{key} {items or scalar_text(value, quantity)}"
+    line = f"{key} {_flow(value, quantity)}"
     yield f"{line:<{COLUMN}}{comment}" if comment else line

@@ -61,7 +61,7 @@ def exported(sheet: Robot, name: str, program: Path = _PROGRAM) -> Exported:
 
 
 def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
-    pair = robot.pair()
+    pair = robot.commanded().pair()
     functions = ModelFunctions(pair, _STATIONS)
     follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
     runs = {}

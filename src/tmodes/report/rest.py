@@ -37,7 +37,7 @@ def standing(robot: Robot) -> Result:
     """A run too short for anything to move."""
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
     still |= {"integration.method": "auto"}  # a fixed step may be longer than that
-    return run((robot if robot.drives else _held(robot)).with_(still))
+    return run((robot if robot.drives else _held(robot)).pathless.with_(still))
 
 
 def _held(arm: Robot) -> Robot:

@@ -71,10 +71,13 @@ def _bytes_per_sample(chain: Chain, stations: int) -> int:
 def ready_to_run(robot: Robot) -> Robot:
     """The robot, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
 
+    The drives of one with a path in its task follow it.
+
     Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them, or no
     mass resists a beam's functions.
     """
     refuse_massless(robot)
+    robot = robot.commanded()
     if robot.drives:
         return robot
     movable = list(movable_joints(robot.chain()))

@@ -37,7 +37,6 @@ __all__ = [
     "Number",
     "PointSheet",
     "Saturation",
-    "Task",
     "TipSheet",
     "by_name",
     "several",
@@ -112,14 +111,6 @@ class PointSheet(TipSheet):
     """A named point for loads, contact and output."""
 
     name: str = Field(min_length=1, max_length=100, description="name of the point")
-
-
-class Task(DataSheet):
-    """What the motion must keep to: by it the verdict on a run is good or bad."""
-
-    tolerance: float = positive(
-        "m", "tol", "largest error from the commanded path that is accepted", plausible=(1e-7, 1.0)
-    )
 
 
 class LoadFrame(StrEnum):

@@ -5,7 +5,7 @@ Robot (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  mo
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, Self
@@ -28,12 +28,12 @@ from tmodes.sheet.parts import (
     LoadSheet,
     Number,
     PointSheet,
-    Task,
     TipSheet,
     by_name,
     several,
 )
 from tmodes.sheet.planar import in_plane, planar_issues
+from tmodes.sheet.task import Task
 from tmodes.sheet.topology import tree_issues
 
 __all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other", "yield_strength"]
@@ -101,7 +101,7 @@ class Robot(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the real arm where it differs: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
+    task: Task | None = Field(default=None, description="what the tip shall do, and how closely; none: drives say it")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @field_validator("gravity", mode="before")
@@ -192,13 +192,51 @@ class Robot(DataSheet):
         """The same without drives: every joint with its motor, none prescribed."""
         return self.model_copy(update={"drives": ()}) if self.drives else self
 
+    def commanded(
+        self, progress: Callable[[str, float], None] = lambda stage, share: None, vary: Iterable[str] = ()
+    ) -> Robot:
+        """The robot whose drives follow the path of its ``task``; without one the same. Found once.
+
+        ``vary``: paths of numbers that change later, of which none may be of a task that is followed.
+        Raises :class:`tmodes.errors.InputError` for a path that the robot cannot follow.
+
+        >>> turn = {"path": {"type": "joints", "points": [[0.5]]}}
+        >>> still = {"type": "constant", "value": 0.0}
+        >>> own = robot.with_({"drives.joint.signal": still, "task": turn}).commanded()
+        >>> own.drives[0].signal.type, own.task
+        ('trajectory', None)
+        """
+        if self.stated is not self:
+            for path in (one for one in vary if one.startswith("task.")):
+                hint = "write a sheet for each, or compare them: `tmodes compare` with {task.reference: sag}"
+                raise InputError(path, "a key of the task", "a number of the robot: references are made once", hint)
+        if not (self.task and self.task.paths):
+            return self
+        if "_commanded" not in vars(self):
+            from tmodes import commanded_robot
+
+            vars(self)["_commanded"] = found = commanded_robot(self, progress)
+            vars(found)["_stated"] = self
+        return vars(self)["_commanded"].commanded(vary=vary)
+
+    @property
+    def stated(self) -> Robot:
+        """The sheet with the path that the drives of this one follow; without one the same."""
+        return vars(self).get("_stated", self)
+
+    @property
+    def pathless(self) -> Robot:
+        """The same without the path of its ``task``: drives do what their own signals say."""
+        judged = self.task and self.task.judged
+        return self if judged is self.task else self.model_copy(update={"task": judged})
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """As pydantic's; what follows from the fields is computed again."""
         if not isinstance(update, Mapping | None):
             hint = "robot.with_({PATH: VALUE}) checks the values, too"
             raise InputError("update", f"a {type(update).__name__}", "a group of fields and their values", hint)
         copied = super().model_copy(update=update, deep=deep)
-        for name in ("_chain", "undriven", "designs"):
+        for name in ("_chain", "_commanded", "_stated", "undriven", "designs"):
             vars(copied).pop(name, None)
         return copied
 

@@ -38,6 +38,7 @@ __all__ = [
     "planned",
     "refuse_jumps",
     "refuse_massless",
+    "refuse_path",
 ]
 
 
@@ -176,6 +177,13 @@ def refuse_massless(robot: Robot) -> None:
     for link in robot.links:
         for path, *issue in link.beam.massless_issues() if link.beam else ():
             raise InputError(f"links.{link.name}.beam.{path}", *issue)
+
+
+def refuse_path(robot: Robot) -> None:
+    """Raise :class:`tmodes.errors.InputError` for the path of a task that no drive follows yet."""
+    if robot.task and robot.task.paths:
+        hint = "take the pair of robot.commanded()"
+        raise InputError("task.path", "a path that no drive follows", "left out where both robots are given", hint)
 
 
 def free_drive(joint: str, *, has_motor: bool) -> DriveSheet:

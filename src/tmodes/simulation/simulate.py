@@ -25,7 +25,7 @@ from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.parts import Journal, Trajectory
-from tmodes.simulation.plan import Follow
+from tmodes.simulation.plan import Follow, refuse_path
 from tmodes.simulation.python_controller import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
 from tmodes.simulation.stops import STOPPED, Instants, Places, Stops
@@ -82,7 +82,8 @@ def simulate_motion(
     by an explicit method (at fixed steps where ``auto`` chooses: its answers need not be smooth). None is kept in a
     journal.
     """
-    pair = robot if isinstance(robot, RobotPair) else robot.pair()
+    pair = robot if isinstance(robot, RobotPair) else robot.commanded(progress).pair()
+    refuse_path(pair.real)
     real = run_setup(pair.real)
     if period is not None:
         refuse_period(controller, period, pair.real.integration.duration)

@@ -64,7 +64,7 @@ def study_from_data(
     Files that the latter names lie in ``folder``; without one it can name none. Raises as :func:`read_study`.
     """
     if isinstance(data, Mapping) and set(data) == {"study", "robot"}:
-        robot = None if data["robot"] is None else Robot.from_data(data["robot"])
+        robot = None if data["robot"] is None else Robot.from_data(data["robot"]).commanded()
         return _checked(data["study"], robot, {}, "", [], (), functions or {}, None)
     folders = Folders(Path(folder).resolve(), tuple(Path(root).resolve() for root in roots)) if folder else None
     return _study(copied(data, "study"), {}, "", folders, functions or {}, Path(folder) if folder else None)
@@ -160,16 +160,16 @@ def _robot(data: Mapping[str, Any], positions: Mapping[str, int], source: str, f
 
 
 def _changed(robot: Robot | None, plain: Mapping[str, Any]) -> tuple[Robot | None, list[Problem]]:
-    """The robot with the changes for all cases, and what is wrong with these."""
+    """The robot with the changes for all cases, its drives on the path of its task; what is wrong with the changes."""
     changes = plain.get("set")
     if not isinstance(changes, Mapping) or not changes:
-        return robot, []
+        return robot and robot.commanded(), []
     if robot is None:
         return None, [
             (("set",), InputError("", "changes without a robot", "left out without a robot", "name the robot"))
         ]
     try:
-        return robot.with_(changes), []
+        return robot.with_(changes).commanded(), []
     except InputError as error:
         wrong = [error]
     except InputErrors as errors:

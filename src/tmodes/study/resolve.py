@@ -38,21 +38,24 @@ def resolved_parameters(plain: dict[str, Any], robot: Robot | None, found: Short
     taken: dict[str, str] = {}
     for name, group in groups.items():
         if isinstance(group, dict):
-            problems += _parameter(name, group, data, taken)
+            problems += _parameter(name, group, robot, data, taken)
             problems += _choices(name, group, data, found)
             _sampled(name, group.get("distribution"), str(group.get("unit", "-")), found)
     return problems
 
 
-def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str]) -> Iterator[Problem]:
+def _parameter(
+    name: str, group: dict[str, Any], robot: Robot | None, data: Any, taken: dict[str, str]
+) -> Iterator[Problem]:
     path, here = group.get("path"), ("parameters", name)
     if not isinstance(path, str):
         return
-    if data is None:
+    if robot is None:
         group["distribution"] = _STANDS_IN
         yield (*here, "path"), _no_robot()
         return
     try:
+        robot.commanded(vary=[path])
         target = target_of(path, data, relative=group.get("relative") is True)
     except InputError as error:
         group["distribution"] = _STANDS_IN

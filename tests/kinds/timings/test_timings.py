@@ -47,7 +47,7 @@ def test_of_ones_own_along_several_paths() -> None:
 def test_needs_no_least_time() -> None:
     with pytest.raises(InputError) as caught:
         STIFF.follow(LINE, profile={"type": "test_halves"}, least_time=True)
-    assert caught.value.which == "--least-time"
+    assert caught.value.which == "task.least_time"
 
 
 def follows(robot: Any, path: dict[str, Any], **timing: Any) -> Any:

@@ -12,7 +12,8 @@ from tmodes.integrate.settings import RobotIntegration
 from tmodes.io.filipovic2010.reading import Reading
 from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
-from tmodes.sheet.parts import Task, by_name
+from tmodes.sheet.parts import by_name
+from tmodes.sheet.task import accepted_error
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "PaperFrictionLaw"]
 
@@ -112,6 +113,12 @@ class PaperReference(DataSheet):
     noise: PaperNoise = Field(default_factory=PaperNoise)
 
 
+class PaperTask(DataSheet):
+    """What the motion must keep to: by it the verdict on a run is good or bad."""
+
+    tolerance: float = accepted_error()
+
+
 class Format2010(DataSheet):
     """A robot's data sheet: motor, elastic gear, flexible link, payload, environment, control and reference motion."""
 
@@ -134,7 +141,9 @@ class Format2010(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )
-    task: Task | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
+    task: PaperTask | None = Field(
+        default=None, description="what the motion must keep to; none: errors are not judged"
+    )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @model_validator(mode="after")

@@ -59,7 +59,9 @@ class Shaper(Kind, family="shaper", key="type"):
     """Impulses for one mode or several, of given undamped frequencies and damping ratios."""
 
     type: Any = Field(description="kind of shaper")
-    frequencies: tuple[_Frequency, ...] = _numbers("Hz", "f", "undamped frequency of each mode", min_length=1)
+    frequencies: tuple[_Frequency, ...] = _numbers(
+        "Hz", "f", "undamped frequency of each mode; none: in a task that of the first mode along the path", default=()
+    )
     damping: tuple[_Damping, ...] = _numbers("-", "zeta", "damping ratio of each mode; none: undamped", default=())
 
     def _issues(self) -> Iterator[Issue]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Literal
 
 from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import number
+from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.shapers.registry import Shaper
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
 from tmodes.kinds.signals.schedule import SignalPieces
@@ -23,6 +25,11 @@ class Shaped(Signal):
     type: Literal["shaped"] = Field(description="kind of signal")
     signal: Signal = Field(description="the motion that is shaped")
     shaper: Shaper = Field(description="what makes its copies, such as zv, zvd, zvdd or ei")
+
+    def _issues(self) -> Iterator[Issue]:
+        if not self.shaper.frequencies:
+            hint = "write `frequencies: [5.0]`; `tmodes shaper` finds them"
+            yield Issue("shaper.frequencies", "nothing", "the frequency of each mode [Hz]", hint)
 
     @property
     def keeps_rate(self) -> bool:

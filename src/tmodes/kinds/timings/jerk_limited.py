@@ -48,7 +48,7 @@ class JerkLimited(Timing):
         slope = np.abs(path(course.ways, 1)).max(axis=0)
         if not np.isfinite(jerk[slope > 0]).any():
             hint = "add `jerk: 100.0` to the timing, or to the `limits` of its joints"
-            raise InputError("--profile", "no limit of jerk", "one of a joint that moves", hint)
+            raise InputError("task.profile", "no limit of jerk", "one of a joint that moves", hint)
         free = [float(np.min(one / np.maximum(slope, 1 / LARGEST), initial=LARGEST)) for one in limits[:3]]
 
         bounds = dict(zip(("speed", "acceleration", "jerk"), free, strict=True))
@@ -85,7 +85,7 @@ def _slowed(steps: Steps, shares: Shares) -> Steps:
         return steps
     if _beyond(steps.slower(_SLOWEST), shares) > 0:
         hint = "raise the limits, or keep away from poses in which a joint carries more than it can"
-        raise InputError("--profile", "no timing within the limits", "limits that let the robot stand", hint)
+        raise InputError("task.profile", "no timing within the limits", "limits that let the robot stand", hint)
     found: Any = brentq(lambda factor: _beyond(steps.slower(factor), shares), 1.0, _SLOWEST, xtol=1e-9)
     return steps.slower(float(found) * (1 + 1e-8))
 

@@ -48,7 +48,7 @@ class Toppra(Timing):
             effort = [_even(course), lambda q: rows, lambda q: sides, count]
         if not limits and not effort:
             hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints, or `acceleration` to the timing"
-            raise InputError("--profile", "no limit of a joint", "a limit of speed, effort or acceleration", hint)
+            raise InputError("task.profile", "no limit of a joint", "a limit of speed, effort or acceleration", hint)
         speeds = still
         for _ in range(_ROUNDS if effort else 1):
 
@@ -63,7 +63,7 @@ class Toppra(Timing):
             ]
             if found is None or not np.isfinite(found).all():
                 hint = "raise the limits, or keep away from poses in which a joint carries more than it can"
-                raise InputError("--profile", "no timing within the limits", "limits that let the robot stand", hint)
+                raise InputError("task.profile", "no timing within the limits", "limits that let the robot stand", hint)
             speeds, before = np.asarray(found, dtype=np.float64), speeds
             if np.abs(speeds - before).max() < _CLOSE * speeds.max():
                 break
@@ -90,7 +90,7 @@ def _package() -> tuple[Any, Any, Any]:
         import toppra  # pyright: ignore[reportMissingImports]
         from toppra import algorithm, constraint  # pyright: ignore[reportMissingImports]
     except ImportError as error:
-        raise InputError("--profile", "toppra, which is not installed", "the package toppra",
+        raise InputError("task.profile", "toppra, which is not installed", "the package toppra",
                          'pip install "tmodes[planning]"') from error  # fmt: skip
     logging.getLogger("toppra").setLevel(logging.ERROR)
     return constraint, algorithm, toppra

@@ -74,7 +74,9 @@ def simulate_batch(
     """
     if figures and out is not None:
         raise InputError("out", "a folder", "no folder where figures are asked for", "leave out one of the two")
-    lanes = prepared(sheet, vary, out=out, keep=figures is None, progress=progress, threads=threads)
+    lanes = prepared(
+        sheet.commanded(progress, vary), vary, out=out, keep=figures is None, progress=progress, threads=threads
+    )
     return run_prepared(lanes, tips=tips, threads=threads, figures=figures, progress=progress)
 
 
