@@ -99,7 +99,10 @@ class Case(NamedTuple):
 def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
     arm = loaded()
     live = live_map(arm.pair(), (0.0, 1.0))
-    jobs = drawn(live, SETTINGS, seed=11)
+    jobs = [  # a line has a place at each body, and those of a page stay where they were
+        [own.value if own.path.endswith(".at") else value for own, value in zip(live.sliders, job, strict=True)]
+        for job in drawn(live, SETTINGS, seed=11)
+    ]
     arms = [arm, *(arm.with_(live.changes(values)) for values in jobs)]
     results = [assemble_result(simulate_motion(one), one) for one in arms]
     bundle = live_bundle(results[0])
@@ -159,7 +162,7 @@ def test_headline_numbers_are_of_the_new_run(case: Case) -> None:
         info = {fact.id: fact for fact in run_facts(result, result.summary())}
         for name in FACTS:
             assert run["facts"][name]["value"] == pytest.approx(info[name].value, rel=EQUAL), name
-            assert run["facts"][name]["note"] == info[name].note, name
+            assert run["facts"][name]["note"].replace("\xa0", " ") == info[name].note.replace("\xa0", " "), name
 
 
 def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> None:

@@ -73,7 +73,8 @@ def linearize(
     from tmodes.analysis.statics.at_rest import robot_rest
     from tmodes.simulation.control import designs
     from tmodes.simulation.drive_loops import drive_loops
-    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, driven, open_loop, without_held
+    from tmodes.simulation.linear import closed_loop, delayed, open_loop, without_held
+    from tmodes.simulation.linear_inputs import all_inputs, driven
 
     closed, chosen = closed or loop is not None, (_names(inputs), _names(outputs))
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)

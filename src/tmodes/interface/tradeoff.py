@@ -1,9 +1,10 @@
-"""The trade-off of a tuning: an error against something else, as a curve of designs of which none is better in both."""
+"""What is known of a tuning besides its best gains: the curve of designs against a second aim, effects of gains."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
-from math import nan
+from math import isfinite, nan
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import SimulationError
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from tmodes.study.optimize import Optimum
     from tmodes.study.optimize.result import Candidate
 
-__all__ = ["Against", "curve_table", "plot_curve", "said", "weighed"]
+__all__ = ["Against", "curve_table", "effects_of", "plot_curve", "said", "weighed"]
 
 _MOST_SHOWN = 10
 """Designs of a curve that are printed."""
@@ -77,3 +78,20 @@ def curve_table(found: Any, other: Against) -> Table:
 def said(value: float, unit: str) -> str:
     """A value with its unit, for a terminal."""
     return written(value, unit, 4).replace("\u00a0", " ")
+
+
+def effects_of(found: Optimum, best: Candidate, names: Collection[str]) -> list[float | None]:
+    """The largest change of quantities, as a share of what they are in the worst case, by each gain alone."""
+    import numpy as np
+
+    trials = found.trials
+    assert trials  # noqa: S101
+    own = np.array([*best.values.values()])
+    ends = np.repeat(own[None], 2 * len(own), axis=0)
+    for k, pair in enumerate(np.stack([trials.space.low, trials.space.high], axis=1)):
+        ends[2 * k : 2 * k + 2, k] = pair
+    rows = trials.study.evaluate(0, trials.cases_of(np.vstack([own, ends])))
+    worst = np.array([rows.quantities[name].reshape(len(ends) + 1, -1).max(axis=1) for name in names])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.abs(worst[:, 1:] / worst[:, :1] - 1.0).max(axis=0).reshape(-1, 2).max(axis=1)
+    return [share if isfinite(share) else None for share in shares.tolist()]

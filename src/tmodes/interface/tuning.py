@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.interface.tradeoff import Against, curve_table, plot_curve, said, weighed
+from tmodes.interface.tradeoff import Against, curve_table, effects_of, plot_curve, said, weighed
 from tmodes.interface.variants import effort_quantities, uncertain_of, uncertain_parameters
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.io.files import FilePath
@@ -279,30 +278,13 @@ def _in_all_cases(found: Optimum, study: Study, best: Candidate | None) -> list[
     return [{name: one.reshape(2, -1)[k] for name, one in quantities.items()} for k in (0, 1)]
 
 
-def _effects(found: Optimum, best: Candidate, names: Collection[str]) -> list[float | None]:
-    """The largest change of quantities, as a share of what they are in the worst case, by each gain alone."""
-    import numpy as np
-
-    trials = found.trials
-    assert trials  # noqa: S101
-    own = np.array([*best.values.values()])
-    ends = np.repeat(own[None], 2 * len(own), axis=0)
-    for k, pair in enumerate(np.stack([trials.space.low, trials.space.high], axis=1)):
-        ends[2 * k : 2 * k + 2, k] = pair
-    rows = trials.study.evaluate(0, trials.cases_of(np.vstack([own, ends])))
-    worst = np.array([rows.quantities[name].reshape(len(ends) + 1, -1).max(axis=1) for name in names])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.abs(worst[:, 1:] / worst[:, :1] - 1.0).max(axis=0).reshape(-1, 2).max(axis=1)
-    return [share if math.isfinite(share) else None for share in shares.tolist()]
-
-
 def _tuning(
     whole: UsersRobot, plant: UsersRobot, ranges: Mapping[str, Gain], words: Mapping[str, str], optimum: Optimum,
     family: tuple[str, ...],
 ) -> Tuning:  # fmt: skip
     best, trials = weighed(optimum), optimum.trials
     assert trials  # noqa: S101
-    effects = dict(zip(ranges, _effects(optimum, best, words), strict=True))
+    effects = dict(zip(ranges, effects_of(optimum, best, words), strict=True))
     gains = tuple(replace(one, after=best.values[name], effect=effects[name]) for name, one in ranges.items())
     before, after = _in_all_cases(optimum, trials.study, best)
     changed = {one.path: one.after for one in gains}

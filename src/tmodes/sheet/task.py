@@ -158,10 +158,11 @@ class Task(DataSheet):
 
     def _issues(self) -> Iterator[Issue]:
         if self.path is None:
-            hint, given = "add `path: {type: line, to: [0.6, 0.0, 0.2]}`", self.model_dump()
-            for name in [key for key in given if key != "tolerance"]:
+            hint = "add `path: {type: line, to: [0.6, 0.0, 0.2]}`"
+            given = [name for name in type(self).model_fields if name in self.model_fields_set - {"path", "tolerance"}]
+            for name in given:
                 yield Issue(name, f"a {name} without a path", "left out, or a path", hint)
-            if not given:
+            if not given and self.tolerance is None:
                 yield Issue("", "nothing", "a path, or a tolerance", hint)
         if self.least_time and self.timing:
             got, hint = f"the timing `{self.timing.type}`", "leave it out: the timing is found by it"

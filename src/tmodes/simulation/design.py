@@ -16,7 +16,8 @@ from tmodes.kinds.noted.functions import kept, number
 from tmodes.kinds.noted.number import follow_no
 from tmodes.model.model import Model
 from tmodes.sheet.network import commands_effort, node_of
-from tmodes.simulation.linear import open_loop, opened
+from tmodes.simulation.linear import open_loop
+from tmodes.simulation.linear_inputs import opened
 
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block

@@ -8,7 +8,7 @@ of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark, Compute
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb
@@ -23,23 +23,21 @@ from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.equations.loop.control_kernels import Winding
-from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.noted.number import follow_no
-from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives, evaluate
-from tmodes.sheet.parts import Command, DriveSheet, LoadFrame, LoadSheet
 from tmodes.simulation.balance import Balance, frozen
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
+from tmodes.simulation.linear_inputs import columns, opened, with_loads
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.plan import Planned, initial_value, loose_drive, planned
+from tmodes.simulation.plan import Planned, planned
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
 __all__ = [
-    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "driven", "growth", "open_loop", "opened",
-    "row_at", "run_feedback", "samples_of", "start_of", "without_held",
+    "Instant", "StateSpace", "closed_loop", "delayed", "growth", "open_loop", "row_at", "run_feedback", "samples_of",
+    "start_of", "without_held",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -49,8 +47,6 @@ _SAME_REST = 1e-9
 
 _GROWS = 1e-8
 """A sampled pole beyond 1 by less than this is an integrator."""
-
-_LOADS = {"force": ("x", "y", "z"), "moment": ("x", "y", "z")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,11 +174,11 @@ def open_loop(
     else:
         named = robot_rest(robot, held=held, contact=contact and robot.contact is not None, progress=progress).named
     bare = robot if contact else robot.model_copy(update={"contact": None})
-    pushed, loads = _with_loads(opened(bare), inputs)
+    pushed, loads = with_loads(opened(bare), inputs)
     plan = planned(pushed)
     follow_no("gains that are designed from the robot", plan.plan.drives[0].numbers if plan.plan.drives else ())
     row = plan.first_row.copy() if time is None else row_at(plan, time)
-    at = Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
+    at = Instant(plan, np.zeros(0), row, columns(pushed, plan, inputs, loads, closed=False))
     names = at.model.coordinates
     at.state[: len(names)] = [named[name] for name in names]
     for driver in at.model.loop.drivers:
@@ -256,10 +252,10 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
     Sampled controllers make it a sampled system of their common period, whose inputs are held over it; the state is the
     one before the samples. Raises :class:`tmodes.errors.InputError` for unknown names.
     """
-    pushed, loads = _with_loads(robot, inputs)
+    pushed, loads = with_loads(robot, inputs)
     setup = run_setup(pushed)
     plan = setup.planned
-    at = Instant(plan, *start_of(setup, time), _columns(pushed, plan, inputs, loads, closed=True))
+    at = Instant(plan, *start_of(setup, time), columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _read(_sampled(at, found) if plan.plan.is_sampled else found, at.model.layout.controls.start)
 
@@ -385,87 +381,3 @@ def delayed(system: StateSpace, period: float, delay: float = 0.0) -> StateSpace
     past = tuple(f"{name}[k-{k + 1}]" for k in range(kept) for name in system.inputs)
     x0, rate = np.append(system.x0, np.tile(system.u0, kept)), np.append(system.rate, np.zeros(kept * m))
     return replace(system, states=(*system.states, *past), A=A, B=B, C=C, D=D, x0=x0, rate=rate, period=period)
-
-
-def opened(robot: Robot) -> Robot:
-    """The robot whose drives take commands, all constant; its sensors measure at every instant, without noise."""
-    axes = {axis.name: axis for axis in robot.undriven.chain().axes}
-    drives = []
-    for drive in robot.drives:
-        motor = axes[drive.joint].joint.motor
-        command = Command.EFFORT if motor is None else Command.TORQUE if motor.resistance is None else Command.VOLTAGE
-        own = command if drive.command.is_motion else drive.command
-        free = {"command": own, "signal": constant_signal(0.0), "controller": None, "noise": None, "saturation": None,
-                "sample_time": None, "delay": 0.0}  # fmt: skip
-        drives.append(drive.model_copy(update=free))
-    ideal = {"sample_time": None, "delay": 0.0, "noise": 0.0}
-    sensors = tuple(sensor.model_copy(update=ideal) for sensor in robot.sensors)
-    still = {"base_motion": None, "control": (), "sensors": sensors, "drives": tuple(drives)}
-    return robot.model_copy(update=still)
-
-
-def driven(robot: Robot, inputs: Sequence[str]) -> Robot:
-    """With a drive for each joint without one whose command is among the inputs; without any drive, for all joints.
-
-    They hold their joints as a run does.
-    """
-    free = [axis for axis in robot.undriven.chain().axes if axis.name not in {drive.joint for drive in robot.drives}]
-    named = {name.rpartition(".")[0] for name in inputs}
-    added = [
-        loose_drive(robot, axis) or DriveSheet(
-            joint=axis.name, command=Command.PRESCRIBED, signal=constant_signal(initial_value(robot, axis.name))
-        )
-        for axis in free
-        if axis.name in named or not (inputs or robot.drives)
-    ]  # fmt: skip
-    return robot.model_copy(update={"drives": (*robot.drives, *added)}) if added else robot
-
-
-def all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
-    """Names of the commands of all drives; under control of their setpoints; without any joint of forces at the tip."""
-    if closed:
-        return tuple(f"{drive.joint}.setpoint" for drive in robot.drives if drive.command.is_controlled)
-    found = tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
-    return found or tuple(f"tip.force.{axis}" for axis in "xyz")
-
-
-def _with_loads(robot: Robot, inputs: Sequence[str]) -> tuple[Robot, dict[str, int]]:
-    """The robot with a load of size zero for each input on a point, and the places of these among its loads."""
-    points, loads, places = ("tip", *(point.name for point in robot.points)), list(robot.loads), {}
-    for name in inputs:
-        point, _, rest = name.rpartition(".")
-        point, _, kind = point.rpartition(".")
-        if point in points and kind in _LOADS and rest in _LOADS[kind]:
-            vector: Any = tuple(float(rest == axis) for axis in "xyz")
-            places[name] = len(loads)
-            loads.append(LoadSheet(point=point, frame=LoadFrame.WORLD, signal=constant_signal(0.0), **{kind: vector}))
-    return (robot.model_copy(update={"loads": tuple(loads)}) if places else robot), places
-
-
-def _columns(
-    robot: Robot, plan: Planned, inputs: Sequence[str], loads: Mapping[str, int], *, closed: bool
-) -> list[tuple[str, int]]:
-    """Each input with its place in the row; raises :class:`tmodes.errors.InputError` for an unknown one."""
-    width, known = plan.plan.degree + 1, dict(_known(robot, plan, closed=closed))
-    known |= {name: 1 + plan.plan.loads[place].signal * width for name, place in loads.items()}
-    found = []
-    for name in inputs:
-        if name not in known:
-            points = [f"{point}.force.x" for point in ("tip", *(one.name for one in robot.points[:2]))]
-            hint = "add --closed for setpoints" if name.endswith(".setpoint") and not closed else "take one of these"
-            every = (
-                f"one of {', '.join(dict.fromkeys([*known, *all_inputs(driven(robot, ()), closed=closed), *points]))}"
-            )
-            raise InputError("inputs", f"the unknown input `{name}`", every, hint)
-        found.append((name, known[name]))
-    return found
-
-
-def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, int]]:
-    commands = {drive.joint: drive.command for drive in robot.drives}
-    for drive in plan.plan.drives:
-        if drive.servo and closed == drive.servo.is_controlled and drive.joint in commands:
-            place = 1 + drive.signal * (plan.plan.degree + 1)
-            yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", place
-            if closed and plan.plan.degree:  # the second number of a piece is its rate
-                yield f"{drive.joint}.setpoint_rate", place + 1

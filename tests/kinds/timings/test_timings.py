@@ -11,7 +11,7 @@ from pydantic import Field
 
 import tmodes
 from tmodes.analysis.follow import Arm
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
 from tmodes.kinds.signals.registry import Signal
 from tmodes.kinds.signals.s_curve import SCurve
 from tmodes.kinds.timings.registry import TIMINGS, JointCourse, Timing
@@ -45,9 +45,9 @@ def test_of_ones_own_along_several_paths() -> None:
 
 
 def test_needs_no_least_time() -> None:
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputErrors) as caught:
         STIFF.follow(LINE, profile={"type": "test_halves"}, least_time=True)
-    assert caught.value.which == "task.least_time"
+    assert [one.which for one in caught.value.errors] == ["task.least_time"]
 
 
 def follows(robot: Any, path: dict[str, Any], **timing: Any) -> Any:
