@@ -71,6 +71,7 @@ def random_arm(seed: int) -> tmodes.Robot:
     })  # fmt: skip
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.nightly) for k in range(1, 12))])
 def test_random_arms_keep_to_their_lines_in_open_loop(seed: int) -> None:
     """In 0.5 to 4 periods of the first mode; one that does not is refused with a reason."""

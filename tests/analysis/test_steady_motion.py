@@ -118,6 +118,7 @@ def galerkin(speed: float, hub: float, tip: float, lag: bool) -> np.ndarray:
     return np.sqrt(eigh(stiffness - (speed**2 if lag else 0.0) * mass, mass, eigvals_only=True)[:2])
 
 
+@pytest.mark.nightly("0.0-0.0-0.0")
 @pytest.mark.parametrize(("speed", "hub", "tip"), [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (6.0, 0.5, 0.3), (2.0, 1.0, 1.0)])
 def test_a_rotating_beam(speed: float, hub: float, tip: float) -> None:
     """It stiffens out of the plane and less so in it; with a hub and a tip mass."""

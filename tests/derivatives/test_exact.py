@@ -92,6 +92,7 @@ def size(value: float) -> float:
     return abs(value) or 1.0
 
 
+@pytest.mark.nightly("paths1")
 @pytest.mark.parametrize(("paths", "names"), [
     (NUMBERS, NAMES), (NUMBERS[::4], DISTANCES), *(([path], NAMES) for path in TIMES),
 ])  # fmt: skip

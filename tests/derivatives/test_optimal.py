@@ -143,6 +143,7 @@ def test_functions_are_what_a_table_says() -> None:
     np.testing.assert_allclose(made.fine[2::4], ends((made.knots[:-1] + made.knots[1:]) / 2), atol=1e-12)
 
 
+@pytest.mark.nightly("two")
 @pytest.mark.parametrize("which", ["one link", "two links"])
 def test_slopes_are_those_of_runs(which: str) -> None:
     """Against differences of whole runs, torques and speeds included."""
@@ -245,6 +246,7 @@ def test_a_robot_in_contact_is_refused() -> None:
         tmodes.load("filipovic2010").motion(duration=1.0)
 
 
+@pytest.mark.nightly
 def test_what_cannot_be_reached_is_said() -> None:
     found = flexible(2).motion(goal="hub=90deg", duration=0.6, torque="hub=5")
     assert any("is accepted" in warning or "a limit is passed" in warning for warning in found.warnings)

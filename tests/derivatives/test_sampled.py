@@ -59,6 +59,7 @@ PATHS = {
 }
 
 
+@pytest.mark.nightly("pid", "lqr")
 @pytest.mark.parametrize("name", ["pid", "lqr", pytest.param("lqr sampled", marks=pytest.mark.nightly), "lqg"])
 def test_gradients_are_those_of_other_runs(name: str) -> None:
     here = robot(name)
@@ -92,6 +93,7 @@ def fed(block: Any) -> Robot:
     return Robot.from_data(sheet_data(robot("pid")) | {"drives": drives, "control": control, "sensors": sensors})
 
 
+@pytest.mark.nightly("block1")
 @pytest.mark.parametrize("block", [LQG, LQR | {"type": "lqr"}])
 def test_gradients_by_what_is_fed_forward_and_followed_are_those_of_other_runs(block: Any) -> None:
     """Only one of two drives feeds forward, the other one a block."""

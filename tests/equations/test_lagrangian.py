@@ -33,6 +33,7 @@ def random_pair(seed: int, springs: bool) -> Pair:
     return Pair(chain if springs else without_springs(chain))
 
 
+@pytest.mark.nightly("curved_and_stretched-springs")
 @pytest.mark.parametrize("springs", [True, pytest.param(False, marks=pytest.mark.nightly)], ids=["springs", "free"])
 @pytest.mark.parametrize("name", list(arms()))
 def test_forward_and_inverse_dynamics(name: str, springs: bool) -> None:
@@ -85,6 +86,7 @@ def test_many_states_at_once_equal_one_by_one(name: str) -> None:
         assert_near(torque[i], np.asarray(both.model.inverse_dynamics(q[i], v[i], a[i], wrenches=wrenches[i])), 1e-14)
 
 
+@pytest.mark.nightly("curved", "twist")
 @pytest.mark.parametrize("name", list(arms()))
 def test_linearisation(name: str) -> None:
     """M, D, K: derivatives of the inverse dynamics by acceleration, rate and position about a moving state."""

@@ -70,6 +70,7 @@ def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0, hub: float |
     return [brentq(left_over, *cell, xtol=1e-13) for cell in cells]  # pyright: ignore[reportReturnType]
 
 
+@pytest.mark.nightly("0.003-0.001-0.0-z")
 @pytest.mark.parametrize("plane", ["y", "z"])
 @pytest.mark.parametrize(
     ("s2", "r2", "tip"), [(0.003, 0.001, 0.0), (0.03, 0.01, 0.7), (0.12, 0.03, 0.0), (0.02, 1e-9, 0.0)]
@@ -85,6 +86,7 @@ def test_frequencies_are_timoshenkos(plane: str, s2: float, r2: float, tip: floa
     np.testing.assert_allclose(found[:2], exact[:2], rtol=1e-9)
 
 
+@pytest.mark.nightly("0.1")
 @pytest.mark.parametrize("hub", [None, 0.1])
 @pytest.mark.parametrize("inertia", [0.0, 1e-15, 1e-12])
 def test_sections_without_inertia_leave_the_low_frequencies_exact(inertia: float, hub: float | None) -> None:

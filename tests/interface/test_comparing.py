@@ -171,6 +171,7 @@ def test_errors_of_a_file_have_their_line(tmp_path: Path) -> None:
         robot().compare(laws)
 
 
+@pytest.mark.nightly
 def test_a_system_stated_by_its_energies_has_a_commanded_path_too() -> None:
     """Its free coordinates are in it as they move in the nominal run: uncertain cases as the runs of their sheets."""
     robot = tmodes.load("moberg2009").with_({"integration.duration": 0.4})

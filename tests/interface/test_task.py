@@ -62,6 +62,7 @@ def test_wrong_keys_are_named(task: dict[str, Any], which: str) -> None:
     assert which in [one.which for one in caught.value.errors]
 
 
+@pytest.mark.nightly("optimal")
 @pytest.mark.parametrize("reference", ["rigid", "motors", "sag", "inverse", "optimal"])
 def test_a_run_is_that_of_the_sheet_that_follow_writes(reference: str, tmp_path: Path) -> None:
     robot, file = spong(reference=reference), tmp_path / "followed.yaml"
@@ -125,6 +126,7 @@ COMMANDS: dict[str, Callable[[Any], Any]] = {
 }  # fmt: skip
 
 
+@pytest.mark.nightly("tune")
 @pytest.mark.parametrize("name", COMMANDS)
 def test_commands_follow_the_path(name: str) -> None:
     robot = spong(reference="motors")

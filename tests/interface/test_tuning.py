@@ -149,6 +149,7 @@ def test_a_robot_without_gains() -> None:
         spong(**{"drives.0.command": "prescribed", "drives.0.controller": None}).tune()
 
 
+@pytest.mark.nightly
 def test_an_error_against_an_effort(tmp_path: Path) -> None:
     """No design of a grid of one's own is better in both by more than the curve is coarse; each is that of a run."""
     robot = spong()

@@ -56,6 +56,7 @@ def test_what_is_not_offered_would_make_a_reference_run() -> None:
     assert "no nominal run" in live_map(pushed().pair()).left_out["real"]
 
 
+@pytest.mark.nightly
 def test_what_is_known_of_such_an_arm_keeps_its_sliders(tmp_path: Path) -> None:
     """Its gears among them; moved, the page's run is that of the saved sheet, with all that is compared: nothing."""
     arm, live = pushed(), live_map(pushed().pair())

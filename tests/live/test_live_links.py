@@ -51,6 +51,7 @@ ROBOTS = {"segments": segmented, "modes": lambda: load("filipovic2010"), "univer
 SERIES = {"q", "tip", "tip_nominal", "effort", "controller_states"}
 
 
+@pytest.mark.nightly("segments", "universal")
 @pytest.mark.parametrize("name", ROBOTS)
 def test_it_runs_in_the_page_as_natively(name: str, tmp_path: Path) -> None:
     """Series to the tolerance of the integration, the picture to that of its lines."""

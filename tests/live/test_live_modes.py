@@ -99,6 +99,7 @@ def test_what_acts_on_the_points_is_in_modes_and_parts(tmp_path: Path) -> None:
         assert_parts_equal(run, result)
 
 
+@pytest.mark.nightly
 def test_an_arm_too_large_for_modes_in_the_page_says_so(tmp_path: Path) -> None:
     bundle = live_bundle(result_of(two_links()))
     assert bundle is not None

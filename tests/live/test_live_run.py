@@ -180,6 +180,7 @@ PRESSED = {
 """Pressed so hard by the wall that the arm could rest bent to the one side or to the other."""
 
 
+@pytest.mark.nightly
 def test_rest_stays_on_its_branch(bundle: dict[str, Any], live: LiveMap, tmp_path: Path) -> None:
     """Newton's method alone would leap to the other side, -0.13 in place of 0.38."""
     values = [PRESSED.get(slider.path, slider.value) for slider in live.sliders]
@@ -232,6 +233,7 @@ def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str,
         assert Robot.from_data(data) == two_links().with_(live.changes(values))
 
 
+@pytest.mark.nightly
 def test_an_arm_without_a_reference_run(tmp_path: Path) -> None:
     """A step that no motor can follow: nothing is compared, and nothing is missing."""
     arm = load("quanser_2dsfl", {"integration.duration": 0.3, "integration.method": "dop853"})
@@ -257,6 +259,7 @@ def test_an_arm_that_no_page_can_run_says_why() -> None:
     assert "base" in why_not_live(result_of(arm))
 
 
+@pytest.mark.nightly
 def test_scene_has_all_that_the_page_s_own_has(tmp_path: Path) -> None:
     """Links that only carry a surface, the plan without elasticity, and quaternions without jumps of sign."""
     arm, block = chain(3, 1.5), box((0.1, 0.1, 0.1))
@@ -326,6 +329,7 @@ def test_jumps_of_a_given_motion_give_the_same_impulse_in_the_page(tmp_path: Pat
         assert np.abs(np.diff(result.data["v"].sel(coordinate="p").values)).max() > 1.0
 
 
+@pytest.mark.nightly
 def test_a_brake_stops_a_motor_and_lets_it_go_in_the_page(tmp_path: Path) -> None:
     """Behind a gear, released and engaged again while the motor moves; of another arm, too."""
     brake = {"type": "brake", "torque": 30.0, "engaged_until": 0.05, "engage_at": 0.15, "release_delay": 0.01}

@@ -19,6 +19,7 @@ from .node import live_in_node, worst_difference
 FREQUENCY = "drives.0.signal.shaper.frequencies.0"
 
 
+@pytest.mark.nightly("ei")
 @pytest.mark.parametrize("kind", ["zv", "ei"])
 def test_the_frequency_of_a_shaper_is_a_slider(kind: str, tmp_path: Path) -> None:
     """From half of it to twice as much, as native runs of the changed sheet; copies begin amid others' pieces."""

@@ -52,6 +52,7 @@ def test_a_page_starts_in_the_equilibrium_of_the_closed_loop(tmp_path: Path) -> 
         assert np.abs(q - true).max() < 1e-10
 
 
+@pytest.mark.nightly
 def test_a_page_starts_in_equilibrium_as_soon_as_the_drive_carries_the_arm(tmp_path: Path) -> None:
     """The drive is too weak for the arm as it stands, which falls: that is warned of. A lighter arm is carried."""
     sheet = loaded().with_({"drives.j.saturation": {"torque": 2.0}})
@@ -67,6 +68,7 @@ def test_a_page_starts_in_equilibrium_as_soon_as_the_drive_carries_the_arm(tmp_p
         assert np.abs(page["series"]["q"] - true.data["q"].values).max() < 1e-7
 
 
+@pytest.mark.nightly
 def test_a_page_of_a_start_in_balance_is_not_green_where_the_drive_no_longer_holds(tmp_path: Path) -> None:
     changes = {"drives.0.saturation": {"torque": 50.0}, "task.tolerance": 0.9, "integration.duration": 0.2}
     sheet = load("two_link_arm").with_(changes)

@@ -41,6 +41,7 @@ def test_another_method_is_said(tmp_path: Path) -> None:
     assert asked_for(own) == ["tmodes", "run", "spong1987", "--set", "joints.joint.gear.stiffness.0=400000000"]
 
 
+@pytest.mark.nightly
 def test_a_contact_that_chatters_advises_the_native_run(tmp_path: Path) -> None:
     ball = bouncing(1e-9, 0.05, method="dormand_prince")
     damping = 2 * 5e-4 * float(np.sqrt(1e12 * 1e-3))

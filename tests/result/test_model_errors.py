@@ -58,6 +58,7 @@ def bound_over_error(torque: float, **link: Any) -> tuple[float, float]:
     return bound, bound / float(np.linalg.norm(made.run.points.position[:, 0] - true_tip(torque), axis=1).max())
 
 
+@pytest.mark.nightly("0.3")
 @pytest.mark.parametrize("torque", [0.3, 3.0])
 def test_the_bounds_hold_against_many_functions(torque: float):
     """With few functions and more, under small and large deflection."""

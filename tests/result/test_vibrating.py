@@ -36,6 +36,7 @@ def width(points: np.ndarray) -> float:
     return float(np.linalg.norm(some[:, None] - some, axis=2).max())
 
 
+@pytest.mark.nightly("spatial")
 @pytest.mark.parametrize("kind", KINDS if COUNT else ("gears", "spatial", "sampled", "falling"))
 def test_never_more_than_the_motion(kind: str) -> None:
     """Of random runs: size and distance within the range after the move, shares of modes, elements that do move."""

@@ -12,6 +12,7 @@ from see.looking import SIZES, look
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 
+@pytest.mark.nightly("dark")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", ["good", "failed"])
@@ -26,6 +27,7 @@ def test_it_is_silent_alone_and_within_its_window(
     window.page.context.close()
 
 
+@pytest.mark.nightly
 def test_a_failed_run_is_seen_without_scrolling(browser: Any, reports: dict[str, Path]) -> None:
     for size in SIZES:
         window = look(browser, reports["failed"], size)

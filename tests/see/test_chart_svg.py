@@ -14,6 +14,7 @@ from see.scenes import short_report
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+@pytest.mark.nightly("dark")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_all_charts_of_a_tab_as_one_graphic(browser: Any, tmp_path: Path, scheme: str) -> None:
     """Those that were never looked at too; each has its title, its axes, its curves, and its legend."""

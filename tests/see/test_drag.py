@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tmodes.report.data import live_page
 from tmodes.report.parts import viewer_document
 from tmodes.result import Result
@@ -27,6 +29,7 @@ DRAG = """(wanted) => {
 """One of many moves of the slider, without waiting for what it shows."""
 
 
+@pytest.mark.nightly
 def test_runs_are_shown_while_a_slider_is_dragged(browser: Any, good: Result, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     page.write_text(viewer_document(live_page(good)), encoding="utf-8")

@@ -53,6 +53,7 @@ def test_charts_are_drawn_in_colours(window: Any) -> None:
     assert window.page.locator(".scene canvas[tabindex]").bounding_box()["width"] > 500
 
 
+@pytest.mark.nightly
 def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict[str, Path]) -> None:
     page = look(browser, reports["good"], (1280, 720)).page
     assert page.locator(".transport").bounding_box()["y"] + 40 < 720
@@ -68,6 +69,7 @@ def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict
     page.context.close()
 
 
+@pytest.mark.nightly
 def test_plots_have_most_of_the_width_of_their_charts(browser: Any, reports: dict[str, Path]) -> None:
     """At every width of the window; what a legend needs stands beside or below."""
     page = look(browser, reports["good"]).page
@@ -217,6 +219,7 @@ def test_a_hostile_name_stays_text(browser: Any, good: Result, tmp_path: Path) -
         window.page.context.close()
 
 
+@pytest.mark.nightly
 def test_runs_side_by_side_share_their_charts(browser: Any, good: Result, failed: Result, tmp_path: Path) -> None:
     path = tmp_path / "several.html"
     path.write_text(viewer_document(page_data([good, failed], ["good", "failed"])), encoding="utf-8")

@@ -65,6 +65,7 @@ def opened(browser: Any, path: Path, *args: Any) -> Window:
     return window
 
 
+@pytest.mark.nightly("size1", "dark")
 @pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES)

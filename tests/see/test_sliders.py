@@ -52,6 +52,7 @@ def give(window: Any, text: str) -> None:
     window.page.wait_for_selector(f"{STATUS}:text('Simulated in')")
 
 
+@pytest.mark.nightly
 def test_the_settings_that_lead_are_the_most_effective_ones(browser: Any, tmp_path: Path, robot: Any) -> None:
     """Once the page has time: the largest change of the tip error for one per cent of a setting, as natively."""
     (tmp_path / "report.html").write_text(short_report(), encoding="utf-8")
@@ -199,6 +200,7 @@ def test_no_text_breaks_the_page(window: Any) -> None:
     assert window.said == []
 
 
+@pytest.mark.nightly
 def test_nothing_of_the_original_run_stays_without_a_word(window: Any) -> None:
     """Numbers are of the new run, those that take longer too; what no slider changes says whose it is."""
     window.page.evaluate("document.querySelector('main').append(document.createElement('section'))")

@@ -131,6 +131,7 @@ def test_no_words_of_axes_touch(browser: Any, tmp_path: Path, size: float) -> No
     page.context.close()
 
 
+@pytest.mark.nightly("dark")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("what", ["window", "designs"])
 def test_axe_finds_nothing(request: pytest.FixtureRequest, what: str, scheme: str) -> None:
@@ -256,6 +257,7 @@ STUDY = {
 }  # fmt: skip
 
 
+@pytest.mark.nightly
 def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Path) -> None:
     done = run_study(study_from_data(STUDY), tmp_path / "live", threads=1)
     peak = TableColumns(done.parquet).numbers("peak")

@@ -110,6 +110,7 @@ def test_a_saved_picture_has_twice_the_pixels(window: Window) -> None:
     assert picture.shape[0] == pytest.approx(2 * (view["height"] + 30), abs=2)
 
 
+@pytest.mark.nightly("1280", "1920", "390")
 @pytest.mark.parametrize("size", WIDTHS, ids=str)
 def test_menus_and_tabs_are_inside_the_window(browser: Any, reports: dict[str, Path], size: tuple[int, int]) -> None:
     page = look(browser, reports["good"], size).page
@@ -132,6 +133,7 @@ def test_menus_and_tabs_are_inside_the_window(browser: Any, reports: dict[str, P
     page.context.close()
 
 
+@pytest.mark.nightly
 def test_on_a_phone_the_robot_is_in_the_first_screen(browser: Any, reports: dict[str, Path]) -> None:
     """What the strip has too much scrolls sideways."""
     page = look(browser, reports["good"], WIDTHS[-1]).page
@@ -158,6 +160,7 @@ def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[
     page.context.close()
 
 
+@pytest.mark.nightly
 def test_it_follows_a_slider(browser: Any, reports: dict[str, Path], good: Result) -> None:
     """The sentence of another setting, by the run of `tmodes run --set`; a cause that is shown stays."""
     page = look(browser, reports["good"]).page

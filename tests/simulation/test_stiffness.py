@@ -75,6 +75,7 @@ def test_a_change_that_does_not_pay_is_taken_back(monkeypatch: pytest.MonkeyPatc
     assert np.abs(run.q - alone.q).max() < 1e-6
 
 
+@pytest.mark.nightly
 def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     _only_extrapolation(monkeypatch)
     whole = simulate_motion(sliding(method="auto"))

@@ -74,6 +74,7 @@ OTHERS: dict[str, dict[str, Any]] = {
 }
 
 
+@pytest.mark.nightly("lqr", "shaped", "torque")
 @pytest.mark.parametrize("law", LAWS)
 def test_a_loop_is_the_same(law: str) -> None:
     first = robot(law)

@@ -45,6 +45,7 @@ def test_wrong_coordinates_are_refused(given):
         equilibrium(on_joint(geared(), ROD), **given)
 
 
+@pytest.mark.nightly
 def test_a_snap_is_reported_with_the_load_it_carried():
     """A gear that softens at 50 N*m under an eccentric column: P = T/(L sin g + e cos g) has its peak at 0.05 rad."""
     joint = geared((1000.0, 10.0), limits=(50.0,))
@@ -72,6 +73,7 @@ def test_a_loose_joint_without_load_is_not_stable():
     assert rest.unstable_modes == ()
 
 
+@pytest.mark.nightly
 def test_a_following_moment_that_winds_without_end_is_stopped():
     model = on_joint(geared((1.0,)), ROD, gravity=np.zeros(3))
     with pytest.raises(SimulationError, match="load factor"):

@@ -88,6 +88,7 @@ def test_the_lightest_pair_is_that_of_an_independent_solution(pair: Optimum) -> 
     assert [(one.choices["upper"], one.choices["lower"]) for one in pair.ranked] == [names for _, names in known]
 
 
+@pytest.mark.nightly
 def test_a_search_finds_the_same_from_half_of_the_designs(pair: Optimum) -> None:
     pytest.importorskip("optuna")
     found = optimize(read_study(EXAMPLES / "lightest_arm.yaml"), "tpe", trials=96)

@@ -13,6 +13,7 @@ REPETITIONS = 100
 SAMPLES = 256
 
 
+@pytest.mark.nightly("_other", "lognormals", "sag")
 @pytest.mark.parametrize("name", CASES)
 def test_intervals_contain_the_exact_index_in_about_95_of_100_repetitions(name: str) -> None:
     known = CASES[name]
