@@ -194,6 +194,7 @@ LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
 
 
 @pytest.mark.parametrize(("path", "more", "which"), [
+    (LINE, {"profile": {"type": "septic", "duration": 1e-6}}, "task.profile"),
     ({"type": "line", "to": [3.0, 0.0, 0.2]}, {}, "path 1"), ({"type": "line", "to": [0.7, 0.1, 0.2]}, {}, "path 1"),
     ({"type": "line", "to": [0.7, 0.0]}, {}, "task.path.to"), ({"type": "lne"}, {}, "task.path.type"),
     ({}, {}, "task.path.type"), ("[1, 2]", {}, "task.path.0"), ([], {}, "task.path"), (None, {}, "task.path"),

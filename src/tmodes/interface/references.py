@@ -74,7 +74,7 @@ class Reference:
                 update["motion"] = parts[1][k] | {"delay": self.lead}
             if parts[2] and drive.command.is_controlled:
                 update["feed_forward"] = parts[2][k]
-            made = {name: one and Signal.of(one) for name, one in update.items()}
+            made = {name: one and _signal(one) for name, one in update.items()}
             drives[places[joint]] = drive.model_copy(update=made)
         end = max(robot.integration.duration, self.end)
         settings = robot.integration.model_copy(update={"duration": end})
@@ -130,6 +130,18 @@ class Reference:
             sizes = np.linalg.norm(off, axis=1)
             found[name] = float(sizes[~late].max()), float(sizes[late].max())
         return found
+
+
+def _signal(data: dict[str, Any]) -> Signal:
+    """A signal from plain data; raises :class:`tmodes.errors.InputError` for numbers that no sheet takes."""
+    from pydantic import ValidationError
+
+    try:
+        return Signal.of(data)
+    except ValidationError as error:
+        wrong = error.errors()[0]
+        got = f"a motion whose {wrong['loc'][0]} reach {wrong['input']:.3g}"
+        raise InputError("task.profile", got, "one that a robot can make", "give it more time") from None
 
 
 def largest_load(robot: Robot, reference: Reference) -> float:
