@@ -194,6 +194,7 @@ def test_command_reports_the_ladder(tmp_path: Any) -> None:
     assert "Recommended: strain(2), the cheapest within 5 % of strain(3)." in shown
 
 
+@pytest.mark.nightly
 def test_a_clamped_beam_has_a_rigid_rung_without_coordinates():
     """On the rigid rung nothing moves: it is off by the whole sag; the finest first frequency is 5.596 Hz."""
     found = ladder(Robot.from_data(clamped_sheet(functions={"bend_y": 1})), finest=3)

@@ -55,6 +55,7 @@ def case_of(vary, k):
     return {path: float(values[k]) for path, values in vary.items()}
 
 
+@pytest.mark.nightly("deluca")
 @pytest.mark.parametrize("name", list(ROBOTS))
 def test_all_series_as_by_itself(name):
     changes, vary, method = ROBOTS[name]

@@ -138,6 +138,7 @@ def test_absent_peer_names_its_package() -> None:
         needed("no_such_module_anywhere", "some-package")
 
 
+@pytest.mark.nightly
 def test_limit_counts_the_list_that_runs() -> None:
     """Each joint adds as many operations as another; what follows from parameters is not counted as changing."""
     found = [limit(Ours(RigidChain(n)).schedule) for n in (4, 5, 6)]

@@ -208,6 +208,7 @@ EVERYWHERE = {
 }  # fmt: skip
 
 
+@pytest.mark.nightly("loop_shaping,", "lqg,", "sampled", "timed", "online")
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_law_runs_everywhere_alike(name: str, tmp_path: Path) -> None:
     """By explicit and implicit methods, side by side with other numbers, in the page; and energy is kept."""

@@ -174,6 +174,7 @@ SIZES = ((4.2, 0.22, 0.085), (2.6, 0.18, 0.041))
 """Mass, place of its centre, inertia of two links; the first is 0.48 m long."""
 
 
+@pytest.mark.nightly
 def test_stored_energy_falls_by_what_dampers_take() -> None:
     """Of the robot about its motion: links, rotors, gears, springs of the motors; V' = -D e' M e' - h' J Kv h'."""
     robot = elastic_arm({"j0": 0.6, "j1": -0.5, "j0.motor": 0.3, "j1.motor": 0.1})

@@ -189,6 +189,7 @@ def test_two_flexible_links_with_elastic_gears_swing_far_less_than_after_a_quint
     assert found.swing < 0.01 * found.swings["quintic"]
 
 
+@pytest.mark.nightly
 def test_the_least_time_of_a_rigid_joint_is_near_that_of_bang_bang() -> None:
     """A smooth torque takes longer than 2 (J a / u)^(1/2) of full torque to and fro, by less than a third."""
     link = {"name": "bar", "bodies": [{"mass": 1.0, "center": [1, 0, 0], "inertia": 0.0}]}
@@ -205,6 +206,7 @@ def test_the_least_time_of_a_rigid_joint_is_near_that_of_bang_bang() -> None:
         robot.motion(goal="hub=1", duration=1.0, least_time=True, torque="hub=1e-9")
 
 
+@pytest.mark.nightly
 def test_a_controller_follows_the_motors() -> None:
     """The sheet's own controllers, their setpoints where the motors are: a reference that contains the deflection."""
     found = tmodes.load("spong1987").motion(duration=1.0)

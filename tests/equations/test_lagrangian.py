@@ -41,6 +41,7 @@ def test_forward_and_inverse_dynamics(name: str, springs: bool) -> None:
         assert_equations_agree(pair(name, springs), seed, SPRUNG if springs else FREE)
 
 
+@pytest.mark.nightly("2-", "3-")
 @pytest.mark.slow
 @pytest.mark.parametrize("springs", [True, False], ids=["springs", "free"])
 @pytest.mark.parametrize("seed", range(CHAINS))

@@ -70,7 +70,7 @@ def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0, hub: float |
     return [brentq(left_over, *cell, xtol=1e-13) for cell in cells]  # pyright: ignore[reportReturnType]
 
 
-@pytest.mark.nightly("0.003-0.001-0.0-z")
+@pytest.mark.nightly("0.003-0.001-0.0-z", "0.003-0.001-0.0-y")
 @pytest.mark.parametrize("plane", ["y", "z"])
 @pytest.mark.parametrize(
     ("s2", "r2", "tip"), [(0.003, 0.001, 0.0), (0.03, 0.01, 0.7), (0.12, 0.03, 0.0), (0.02, 1e-9, 0.0)]

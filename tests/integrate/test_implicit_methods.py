@@ -79,6 +79,7 @@ def published():
     return tmodes.load("filipovic2010")
 
 
+@pytest.mark.nightly
 def test_a_gear_that_is_all_but_rigid(published):
     """Explicit steps would be held back by it; the motion is that of a rigid gear, the nearer the stiffer."""
     rigid = tmodes.run(published.with_({"gear.stiffness": float("inf")}))

@@ -71,6 +71,7 @@ def test_a_gain_without_effect_is_named() -> None:
     assert found.info()["gains"][1]["effect"] == effects[limit]
 
 
+@pytest.mark.nightly
 def test_the_drives_keep_their_limits() -> None:
     """Along gradients the best gains would need more than the joint allows; then limits are kept without them."""
     free = spong(**{"joints.0.limits": {"effort": 100.0}}).tune(within=4.0)
@@ -84,6 +85,7 @@ def test_the_drives_keep_their_limits() -> None:
     assert peak == pytest.approx(allowed * tight.efforts["joint"], rel=1e-6)
 
 
+@pytest.mark.nightly("law1", "law2", "law3")
 @pytest.mark.parametrize("law", [
     {"type": "feedback_linearisation", "pole": 4.0},
     {"type": "computed_torque", "position_gain": 9, "velocity_gain": 5},

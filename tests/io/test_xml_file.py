@@ -88,6 +88,7 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path) -> None:
         read_xml(tmp_path)
 
 
+@pytest.mark.nightly("content1")
 @pytest.mark.parametrize("content", [b"<a>" * 2_700_000, b"<r>" + b"<a/>" * 2_000_000, b"<a " + b"b" * 8_000_000])
 def test_eight_megabytes_of_junk_cost_bounded_time_and_memory(content: bytes) -> None:
     with bounded(4.0):

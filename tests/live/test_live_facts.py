@@ -36,6 +36,7 @@ def info(fact: dict[str, Any]) -> str:
     return str(fact["note"]).replace("\xa0", " ")
 
 
+@pytest.mark.nightly
 def test_every_headline_number_and_its_note_are_those_of_the_native_report(live: LiveMap, tmp_path: Path) -> None:
     bundle = live_bundle(run(seed()))
     assert bundle is not None

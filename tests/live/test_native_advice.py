@@ -32,6 +32,7 @@ def asked_for(own: dict[str, Any]) -> list[str]:
     return shlex.split("tmodes run" + own["native"].partition("tmodes run")[2])
 
 
+@pytest.mark.nightly
 def test_another_method_is_said(tmp_path: Path) -> None:
     """Beyond 20,000 explicit steps a native run is implicit; the page has the method of the original run alone."""
     stiff = {"joints.joint.gear.stiffness.0": 4e8}

@@ -109,6 +109,7 @@ def test_each_gear_and_link_has_its_step(setpoints, motors, joints, curvatures, 
     assert np.abs(found[:, :2] - steps).max() < 1e-9
 
 
+@pytest.mark.nightly("1")
 @pytest.mark.parametrize("seed", range(3))
 def test_parts_of_any_arm_add_up(seed):
     """Trees of joints and links of every kind, in any state."""

@@ -66,7 +66,7 @@ def test_the_sentence_says_error_end_rest_and_vibration(spong: Result) -> None:
     )
 
 
-@pytest.mark.nightly("24")
+@pytest.mark.nightly("24", "18")
 @pytest.mark.parametrize("seed", SEEDS)
 def test_culprits_add_up_to_the_error(seed: int) -> None:
     """Of whatever joints, gears, links and loads; named wherever a part is of elements."""

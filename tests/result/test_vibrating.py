@@ -206,6 +206,7 @@ def test_a_robot_at_constant_setpoints_is_at_rest() -> None:
     assert tmodes.run(robot.with_(ALONE)).summary()["energy"]["worst_residual_over_moved"] is None
 
 
+@pytest.mark.nightly
 def test_a_rod_that_swings_far() -> None:
     """About the half of its range, of its bending in that plane alone, and the same however long is drawn."""
     sizes = []

@@ -69,6 +69,7 @@ def test_the_surface_lies_along_the_beam_in_the_frame_of_its_root(bent: Result) 
     assert high == pytest.approx([1, 0.03, 0.03], abs=1e-6)
 
 
+@pytest.mark.nightly
 def test_the_surface_bends_with_the_line(browser: Any, bent: Result, tmp_path: Path) -> None:
     """The bar is seen as an arc at the moment of the largest deflection, and as a straight bar at the start."""
     window = look(browser, write_report(bent, tmp_path / "bent.html"), (1280, 800))

@@ -191,6 +191,7 @@ def test_the_data_sheet_is_reported_with_units_and_symbols(texts: dict[str, str]
     assert all(f"{name} {version}" in text for name, version in versions.items())
 
 
+@pytest.mark.nightly("inf")
 @pytest.mark.parametrize("stored", [float("inf"), "Infinity"])
 def test_rigid_elements_are_called_rigid(stored: float | str, good: Result, tmp_path: Path) -> None:
     robot = json.loads(good.data.attrs["robot"])

@@ -144,6 +144,7 @@ def test_on_a_phone_the_robot_is_in_the_first_screen(browser: Any, reports: dict
     page.context.close()
 
 
+@pytest.mark.nightly
 def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[str, Path]) -> None:
     page = look(browser, reports["good"], idle=True).page
     first = page.locator(".advice button").first

@@ -96,6 +96,7 @@ def random_robot(seed: int) -> Any:
     return arm(joints=joints, links=links, drives=drives, integration={"duration": 0.2, "output_step": 0.02}, **more)
 
 
+@pytest.mark.nightly("2")
 @pytest.mark.parametrize("seed", range(ROBOTS))
 def test_a_random_robot_stands_still(seed: int) -> None:
     run = simulate_motion(random_robot(seed))

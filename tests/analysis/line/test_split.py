@@ -91,6 +91,7 @@ def _moved(duration: float) -> float:
     return float(np.abs(split.oscillatory).max())
 
 
+@pytest.mark.nightly
 def test_oscillatory_part_of_a_slow_move_goes_with_the_square_of_its_speed() -> None:
     """It is what the acceleration of the changing sag leaves; half the speed, a quarter of it."""
     fast, slow = _moved(6.0), _moved(12.0)

@@ -138,6 +138,7 @@ def test_the_worst_case_of_a_run_along_gradients() -> None:
     assert max(worst) == pytest.approx(found.best.objectives[0], rel=1e-4)
 
 
+@pytest.mark.nightly
 def test_gradients_need_a_fifth_of_the_runs_of_a_search() -> None:
     pytest.importorskip("optuna")
     asked = read_study(EXAMPLES / "tracking.yaml")

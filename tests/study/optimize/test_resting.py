@@ -142,6 +142,7 @@ def test_numbers_under_loads_have_slopes_by_differences() -> None:
     assert found[0] == pytest.approx(exact[0], rel=1e-5)
 
 
+@pytest.mark.nightly
 def test_a_robot_without_a_rest_has_no_slopes() -> None:
     robot, _ = free(random_sheet(38, 38), ())
     with pytest.raises(SimulationError):

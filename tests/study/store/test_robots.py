@@ -53,6 +53,7 @@ def test_the_summary_and_the_folder(sheet, tmp_path):
     assert load_study(out).kept(5).tip.shape == (21, 3)
 
 
+@pytest.mark.nightly
 def test_series_of_kept_motions_and_formulas_are_added_without_computing(sheet, tmp_path, monkeypatch):
     out = tmp_path / "out"
     run_study(read_study(sheet), out)
