@@ -40,7 +40,7 @@ def of_pids(changes: dict[str, float]) -> Any:
 KINDS = {
     "robot": (of_robot, "links.link.bodies.payload.mass", 0.9, {"payload.mass": 0.9}),
     "arm": (of_arm, "joints.j0.gear.stiffness.0", 250.0, {"joints.j0.gear.stiffness.0": 250.0}),
-    "pids": (of_pids, GAIN, 30000.0, {GAIN: 30000.0}),
+    "pids": (of_pids, GAIN, 30.0, {GAIN: 30000.0}),  # the page shows kN·m/rad
 }
 
 
