@@ -101,6 +101,7 @@ def test_names_apart():
     assert run_names([one, one], [Path(f"/{k}{40 * 'long'}.nc") for k in range(2)]) == ["test 1", "test 2"]
 
 
+@pytest.mark.nightly
 def test_a_result_in_a_notebook():
     """An iframe whose whole document is in it, escaped; the same as the page that can be saved."""
     shown = show(result_of("cantilever"), height=500)

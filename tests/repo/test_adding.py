@@ -25,6 +25,7 @@ def test_there_is_one_of_each() -> None:
     ]
 
 
+@pytest.mark.nightly("A figure", "A contact", "A link")
 @pytest.mark.parametrize(("title", "example"), EXAMPLES, ids=[title for title, _ in EXAMPLES])
 def test_example_runs(title: str, example: str, tmp_path: Path) -> None:
     script = tmp_path / "own.py"

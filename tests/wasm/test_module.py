@@ -57,6 +57,7 @@ def _job(name: str, setup: RunSetup) -> dict[str, Any]:
     }}  # fmt: skip
 
 
+@pytest.mark.nightly
 def test_motion_is_the_native_one(module: LiveModule, tmp_path: Path) -> None:
     cases = [(method, *case) for method in SAME for case in _regimes(_arm(method)).items()]
     found = in_node(module, [_job(name, setup) for _, name, setup in cases], tmp_path)

@@ -77,7 +77,7 @@ SETTINGS = [
 ]
 
 
-@pytest.mark.nightly("fixed-step")
+@pytest.mark.nightly("fixed-step", "filipovic2010-adaptive")
 @pytest.mark.parametrize(("settings", "within"), SETTINGS)
 @pytest.mark.parametrize("name", list(ROBOTS))
 def test_the_table_is_that_of_the_processor(name, settings, within, gpu, tmp_path):
