@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from tmodes.study.optimize import Optimum
     from tmodes.study.optimize.result import Candidate
 
-__all__ = ["Against", "curve_table", "effects_of", "plot_curve", "said", "weighed"]
+__all__ = ["Against", "curve_table", "effects_of", "in_all_cases", "plot_curve", "said", "weighed"]
 
 _MOST_SHOWN = 10
 """Designs of a curve that are printed."""
@@ -80,18 +80,26 @@ def said(value: float, unit: str) -> str:
     return written(value, unit, 4).replace("\u00a0", " ")
 
 
-def effects_of(found: Optimum, best: Candidate, names: Collection[str]) -> list[float | None]:
-    """The largest change of quantities, as a share of what they are in the worst case, by each gain alone."""
+def in_all_cases(found: Optimum, best: Candidate | None, ends: bool = False) -> dict[str, NDArray[np.float64]]:
+    """Quantities (designs, cases) by name: gains of the sheet, the best ones, these with each alone at its ``ends``."""
     import numpy as np
 
     trials = found.trials
     assert trials  # noqa: S101
-    own = np.array([*best.values.values()])
-    ends = np.repeat(own[None], 2 * len(own), axis=0)
-    for k, pair in enumerate(np.stack([trials.space.low, trials.space.high], axis=1)):
-        ends[2 * k : 2 * k + 2, k] = pair
-    rows = trials.study.evaluate(0, trials.cases_of(np.vstack([own, ends])))
-    worst = np.array([rows.quantities[name].reshape(len(ends) + 1, -1).max(axis=1) for name in names])
+    assert best  # noqa: S101
+    space, own = trials.space, np.array([*best.values.values()])
+    designs = [trials.study.space.nominal[list(space.columns)], own]
+    for k in range(len(own) if ends else 0):
+        designs += [np.where(np.arange(len(own)) == k, end, own) for end in (space.low, space.high)]
+    quantities = trials.study.evaluate(0, trials.cases_of(np.array(designs))).quantities
+    return {name: one.reshape(len(designs), -1) for name, one in quantities.items()}
+
+
+def effects_of(quantities: Sequence[NDArray[np.float64]]) -> list[float | None]:
+    """The largest change of quantities of :func:`in_all_cases`, as a share of the worst case, by each gain alone."""
+    import numpy as np
+
+    worst = np.array([one.max(axis=1) for one in quantities])
     with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.abs(worst[:, 1:] / worst[:, :1] - 1.0).max(axis=0).reshape(-1, 2).max(axis=1)
+        shares = np.abs(worst[:, 2:] / worst[:, 1:2] - 1.0).max(axis=0).reshape(-1, 2).max(axis=1)
     return [share if isfinite(share) else None for share in shares.tolist()]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.interface.tradeoff import Against, curve_table, effects_of, plot_curve, said, weighed
+from tmodes.interface.tradeoff import Against, curve_table, effects_of, in_all_cases, plot_curve, said, weighed
 from tmodes.interface.variants import effort_quantities, uncertain_of, uncertain_parameters
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.io.files import FilePath
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from tmodes import Robot as UsersRobot
     from tmodes.sheet import Robot
     from tmodes.study.optimize import Optimum
-    from tmodes.study.optimize.result import Candidate
     from tmodes.study.study import Study
 
 __all__ = ["Gain", "Tuning", "tune"]
@@ -240,7 +239,7 @@ def _searched(
             if method == "gradient":
                 raise
         else:
-            if method == "gradient" or not found.best or _keeps(robot, found, free):
+            if method == "gradient" or not found.best or _keeps(robot, found):
                 return found
     return optimize(study(limits), "cobyqa" if method == "auto" else method, **how)
 
@@ -259,23 +258,10 @@ def _curve(
     return optimize(study(limits), method, **how)
 
 
-def _keeps(robot: Robot, found: Optimum, study: Study) -> bool:
+def _keeps(robot: Robot, found: Optimum) -> bool:
     """Whether the drives keep their limits with the best gains."""
-    after = _in_all_cases(found, study, found.best or found.nearest)[1]
-    return all((after[name] <= _LIMIT_PASSED * limit).all() for name, (_, limit) in effort_quantities(robot).items())
-
-
-def _in_all_cases(found: Optimum, study: Study, best: Candidate | None) -> list[dict[str, NDArray[np.float64]]]:
-    """Quantities (cases,) by name with the gains of the sheet, and with the best ones, in all cases."""
-    import numpy as np
-
-    trials = found.trials
-    assert trials  # noqa: S101
-    assert best  # noqa: S101
-    own = study.space.nominal[list(trials.space.columns)]
-    designs = np.array([own, [*best.values.values()]])
-    quantities = study.evaluate(0, trials.cases_of(designs)).quantities
-    return [{name: one.reshape(2, -1)[k] for name, one in quantities.items()} for k in (0, 1)]
+    every = in_all_cases(found, found.best or found.nearest)
+    return all((every[name][1] <= _LIMIT_PASSED * limit).all() for name, (_, limit) in effort_quantities(robot).items())
 
 
 def _tuning(
@@ -284,9 +270,10 @@ def _tuning(
 ) -> Tuning:  # fmt: skip
     best, trials = weighed(optimum), optimum.trials
     assert trials  # noqa: S101
-    effects = dict(zip(ranges, effects_of(optimum, best, words), strict=True))
+    every = in_all_cases(optimum, best, ends=True)
+    effects = dict(zip(ranges, effects_of([every[name] for name in words]), strict=True))
     gains = tuple(replace(one, after=best.values[name], effect=effects[name]) for name, one in ranges.items())
-    before, after = _in_all_cases(optimum, trials.study, best)
+    before, after = ({name: one[k] for name, one in every.items()} for k in (0, 1))
     changed = {one.path: one.after for one in gains}
     units = trials.study.evaluate(0, trials.study.space.nominal[None]).units
     (aim, what), *more = words.items()
