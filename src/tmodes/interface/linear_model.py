@@ -373,7 +373,7 @@ class LinearModel(Linearization):
         for law, most in self.e_max.items():
             yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
-            yield Table("zeros", words.ZEROS[bool(self.period)], list(words.zero_rows(self)))
+            yield Table("zeros", words.SAMPLED_ZEROS if self.period else words.ZEROS, list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
         units = [s.units.get(name, "") for name in s.outputs]
         rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]

@@ -15,19 +15,16 @@ __all__ = [
 ]  # fmt: skip
 
 POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
-ZEROS = {
-    sampled: ("from", "to", f"zeros{plane}", "phase") for sampled, plane in ((False, " [1/s]"), (True, ", z plane"))
-}
+ZEROS = ("from", "to", "zeros [1/s]", "phase")
+SAMPLED_ZEROS = ("from", "to", "zeros, z plane", "phase")
 LOOPS = ("drive", "gain [dB]", "at [Hz]", "phase [deg]", "at [Hz]", "delay [ms]", "disk", "closed")
-
-_TWICE = 3e-8
-"""Share of the largest pole below which a zero is a rounded double one at 0, as of an acceleration."""
 
 _NULL, _ROUNDING = 1e-9, 1e-9
 """Growth that is none; size of a pole, over the largest, that is 0."""
 
 _TWICE = 2e-8
-"""Size of a pair of poles, over the largest, that are two integrators: rounding parts these by its root."""
+"""Size, over the largest pole, of a pair of poles or of zeros that is a double one at 0: rounding parts it by its root.
+"""
 
 _GONE = 1e-6
 """Size of a pole in the z plane whose motion is over at the next sample: poles of delays and of very fast motions."""
@@ -123,9 +120,7 @@ def zero_rows(found: Any) -> Iterator[list[str]]:
             zeros = found.zeros(output, source)
             right = (zeros.real > _NULL * np.abs(zeros)) & (np.abs(zeros) > least)
             outside = np.abs(zeros) > 1 + _OUTSIDE if found.period else right
-            plain = (
-                zeros if found.period else np.where(np.abs(zeros) > least, zeros, 0.0)
-            )  # others are rounded zeros at 0
+            plain = zeros if found.period else np.where(np.abs(zeros) > least, zeros, 0.0)
             shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in plain if one.imag >= 0)
             yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 
