@@ -300,17 +300,11 @@ class Search:
 
         An estimator that begins far off gives commands beyond their limits, from which no slope leads back.
         """
-        own, state = slice(len(self.balance.coordinates), None), self.first.copy()
-        places = self.balance.unknown[own]
-
-        def put(values: Array) -> Array:
-            state[places] = values
-            return state
-
-        put(settled(
-            self.first[places], lambda values: self._rates(put(values))[own],
-            lambda values: self._tangent(put(values)).slopes[own, own],
-        ))  # fmt: skip
+        own = slice(len(self.balance.coordinates), None)
+        state = settled(
+            self.first, self.balance.unknown[own], lambda one: self._rates(one)[own],
+            lambda one: self._tangent(one).slopes[own, own],
+        )  # fmt: skip
         return state if np.isfinite(state).all() else None
 
     def _rates(self, state: Array) -> Array:

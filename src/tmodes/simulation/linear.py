@@ -119,17 +119,11 @@ class Instant:
         """
         balance, row = Balance(self.model), frozen(self.model, self.row[None])
         own, loop = balance.unknown[len(balance.coordinates) :], balance.loop
-        found = balance.at_rest(self.state[None])
-
-        def put(values: Array) -> Array:
-            found[0, own] = values
-            return found
-
-        put(settled(
-            found[0, own].copy(), lambda values: loop.rate([0.0], put(values), row)[0, own],
-            lambda values: loop.slopes(0.0, put(values), row, None, own)[0, own],
-        ))  # fmt: skip
-        self.state = balance.outside(found, self.state[None], row, self.model.numbers)[0]
+        found = settled(
+            balance.at_rest(self.state[None])[0], own, lambda one: loop.rate([0.0], one, row)[0, own],
+            lambda one: loop.slopes(0.0, one[None], row, None, own)[0, own],
+        )  # fmt: skip
+        self.state = balance.outside(found[None], self.state[None], row, self.model.numbers)[0]
 
     def sample(self, row: Array) -> None:
         """Go on to the state after the samples of a row: a rate that is a difference needs a position to remember."""

@@ -147,19 +147,22 @@ def _lasting(product: Array) -> tuple[Array, Array]:
     return basis, product
 
 
-def settled(first: Array, rates: Callable[[Array], Array], slopes: Callable[[Array], Array]) -> Array:
-    """States (k,) of controllers whose ``rates`` vanish, with these ``slopes`` (k, k) by them.
+def settled(
+    state: Array, places: Sequence[int] | NDArray[np.intp], rates: Callable[[Array], Array],
+    slopes: Callable[[Array], Array],
+) -> Array:  # fmt: skip
+    """The state, that of controllers at ``places`` (k,) such that its ``rates`` (k,) vanish; ``slopes``: these by it.
 
-    Each that rests at its ``first`` value, too, has that: an integral, which goes to its limit while another state is
-    far off.
+    Each that rests at its first value, too, has that: an integral, which goes to its limit while another state is far
+    off.
     """
-    found = first
-    least = _SETTLED * float(np.abs(rates(first)).max(initial=0.0))
+    found = state.copy()
+    least = _SETTLED * float(np.abs(rates(state)).max(initial=0.0))
     for _ in range(_SETTLES if least else 0):
-        found = found - np.linalg.pinv(slopes(found)) @ rates(found)
-        for k in range(len(first)):
+        found[places] -= np.linalg.pinv(slopes(found)) @ rates(found)
+        for place in places:
             trial = found.copy()
-            trial[k] = first[k]
+            trial[place] = state[place]
             found = trial if np.abs(rates(trial)).max() <= least else found
     return found
 
@@ -311,33 +314,29 @@ class Servos:
         schedule.output("samples", *outputs["samples"])
         return schedule
 
-    def _values(self, given: dict[str, Any]) -> dict[str, Array]:
-        """What the schedule gives."""
-        blocks = {name: np.array(values, dtype=float)[None] for name, values in given.items()}
-        return {name: one[0] for name, one in evaluate(self.numbers, self.schedule, blocks, 1).items()}
-
     def about(self, q: Array) -> Feedback:
         """Their exact slopes about coordinates (n,), by native code."""
         n, size = self.n, 2 * self.n + len(self.start)
         wanted = [value for own in self.own for value in (q[own], 0.0, 0.0)]
-        given = {"q": q, "v": np.zeros(n), "further": self.start, "setpoints": wanted, "still": np.zeros(SIGNAL)}
+        given = {"q": q, "v": np.zeros(n), "setpoints": wanted, "still": np.zeros(SIGNAL)}
         whole = np.eye(size)
         along = {"q": whole[:, :n], "v": whole[:, n : 2 * n], "further": whole[:, 2 * n :]}
 
-        def slopes(given: dict[str, Any]) -> dict[str, Array]:
-            blocks = {name: np.tile(np.array(values, dtype=float), (size, 1)) for name, values in given.items()}
+        def values(further: Array) -> dict[str, Array]:
+            blocks = {name: np.array(one, dtype=float)[None] for name, one in {**given, "further": further}.items()}
+            return {name: one[0] for name, one in evaluate(self.numbers, self.schedule, blocks, 1).items()}
+
+        def slopes(further: Array) -> dict[str, Array]:
+            each = {**given, "further": further}
+            blocks = {name: np.tile(np.array(one, dtype=float), (size, 1)) for name, one in each.items()}
             found = derivatives(self.numbers, self.schedule, blocks, along, size)
             return {name: one.T for name, one in found.items()}
 
-        def put(values: Array) -> dict[str, Any]:
-            given["further"][self.rated] = values
-            return given
-
-        given["further"] = np.array(self.start)
-        put(settled(given["further"][self.rated], lambda values: self._values(put(values))["rates"],
-                    lambda values: slopes(put(values))["rates"][:, [2 * n + row for row in self.rated]]))  # fmt: skip
-        given["further"][[row for rows in self.sampled for row in rows]] = self._values(given)["samples"]
-        found = slopes(given)
+        own = [2 * n + row for row in self.rated]
+        further = settled(np.array(self.start, dtype=float), self.rated, lambda one: values(one)["rates"],
+                          lambda one: slopes(one)["rates"][:, own])  # fmt: skip
+        further[[row for rows in self.sampled for row in rows]] = values(further)["samples"]
+        found = slopes(further)
         effort, by = np.zeros((n, size)), np.zeros((len(self.start), size))
         np.add.at(effort, self.own, found["effort"])
         by[self.rated] = found["rates"]
