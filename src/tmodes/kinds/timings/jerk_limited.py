@@ -16,7 +16,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import LARGEST, positive
 from tmodes.kinds.signals.s_curve import SCurve
 from tmodes.kinds.timings.contract import TIMINGS, Array, JointCourse, Timing, tightest
-from tmodes.kinds.timings.least_time import Shares, Steps, quicker
+from tmodes.kinds.timings.jerk_steps import Shares, Steps, quicker
 
 __all__ = ["JerkLimited"]
 
@@ -92,13 +92,12 @@ def _slowed(steps: Steps, shares: Shares) -> Steps:
 
 def _rows(steps: Steps) -> dict[str, Any]:
     """Plain data of a signal."""
-    way, speed, gain, _ = (one[::2] for one in steps.motion(2))
+    way, speed, gain, _ = steps.motion(2)  # at both ends of each piece
     times = steps.duration * np.append(0.0, np.cumsum(steps.shares))
-    last = float(steps.motion(2)[0][-1])
-    columns = zip(("positions", "velocities", "accelerations"), ((way, last), (speed, 0.0), (gain, 0.0)), strict=True)
+    columns = {"positions": (way, way[-1]), "velocities": (speed, 0.0), "accelerations": (gain, 0.0)}
     return {"type": "trajectory", "times": times.tolist()} | {
-        name: [*one.tolist(), end] for name, (one, end) in columns
-    }  # fmt: skip
+        name: [*one[::2].tolist(), float(end)] for name, (one, end) in columns.items()
+    }
 
 
 def _shares(course: JointCourse, path: Any, motion: tuple[Array, ...], limits: list[Array]) -> Array:
