@@ -32,14 +32,14 @@ def follow(
             help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ..., or "
             "a timing within the limits of the rigid robot's joints: '{type: jerk_limited, jerk: 100}', an S-curve, or "
             "'{type: toppra}', the least time. "
-            f"In neither: {_PROFILE}, for `inverse` and `optimal` a polynomial as gentle.",
+            f"By default {_PROFILE}, for `inverse` and `optimal` a polynomial as gentle.",
         ),
     ] = None,
     reference: Annotated[
         ReferenceKind | None,
         typer.Option(
             metavar="KIND",
-            help="Setpoints of motors: rigid (joints of the rigid robot; where neither says more), motors (with the "
+            help="Setpoints of motors: rigid (joints of the rigid robot, the default), motors (with the "
             "efforts that this takes), sag (tip on the path at rest), inverse (tip on the path as the robot bends and "
             "moves), optimal (no swing at the end, within the limits, near the path).",
         ),

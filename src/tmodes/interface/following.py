@@ -168,14 +168,13 @@ def _planned(robot: Robot, task: Task, progress: Progress) -> tuple[Followed, Re
     from tmodes.interface.references import REFERENCES, shortest
 
     tell = (lambda stage, share: None) if task.least_time else progress
-    pace = _Pace(task)
+    paced = task
     if task.shaper and not task.shaper.frequencies:
-        bare = replace(pace, task=task.model_copy(update={"shaper": None}))
-        mode = _first_mode(robot, bare.followed(robot, 1.0, tell))
-        pace = replace(pace, task=task.model_copy(update={"shaper": task.shaper.model_copy(update=mode)}))
+        mode = _first_mode(robot, _followed(robot, task.model_copy(update={"shaper": None}), 1.0, tell))
+        paced = task.model_copy(update={"shaper": task.shaper.model_copy(update=mode)})
 
     def timed(factor: float) -> Followed:
-        return pace.followed(robot, factor, tell)
+        return _followed(robot, paced, factor, tell)
 
     def tried(factor: float) -> tuple[Followed, Reference]:
         found = timed(factor)
@@ -187,37 +186,33 @@ def _planned(robot: Robot, task: Task, progress: Progress) -> tuple[Followed, Re
     return _least_time(robot, tried, progress) if task.least_time else tried(1.0)
 
 
-@dataclass(frozen=True)
-class _Pace:
-    """How fast to go along the paths of a task."""
+def _followed(robot: Robot, task: Task, factor: float, tell: Progress) -> Followed:
+    """The paths of a task at its profile, whose time is its own times a factor."""
+    from tmodes.analysis.follow import followed
+    from tmodes.analysis.timing import timed_ways
 
-    task: Task
+    def along(signals: Callable[[float], Signal]) -> Followed:
+        return followed(robot, task.paths, signals, task.fit, tell)
 
-    def followed(self, robot: Robot, factor: float, tell: Progress) -> Followed:
-        """The paths at a profile whose time is its own times a factor."""
-        from tmodes.analysis.follow import followed
-        from tmodes.analysis.timing import timed_ways
+    if task.timing is None:
+        return along(lambda length: _shaped(task, _move(task, length, factor)))
+    ways = iter(timed_ways(robot, along(lambda length: _move(task, length, factor)), task.timing))
+    return along(lambda length: _shaped(task, Signal.of(next(ways))))
 
-        task, timing = self.task, self.task.timing
-        found = followed(robot, task.paths, lambda length: self._shaped(self._move(length, factor), timing is None),
-                         task.fit, tell)  # fmt: skip
-        if timing is None:
-            return found
-        ways = iter(timed_ways(robot, found, timing))
-        return followed(robot, task.paths, lambda length: self._shaped(Signal.of(next(ways)), True), task.fit, tell)
 
-    def _move(self, length: float, factor: float) -> Signal:
-        law: Any = self.task.profile
-        if law is None or self.task.timing:
-            gentle = _smooth(length) if law is None and self.task.reference in SMOOTH else PROFILE
-            law = Signal.of({**gentle, **ENDS})
-        own = {name: getattr(law, name) for name in type(law).model_fields} | {"start": 0.0, "end": length}
-        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if own.get(key)}
-        return type(law).model_construct(None, **own | (known if factor != 1 else {}))
+def _move(task: Task, length: float, factor: float) -> Signal:
+    """The profile of a task along a length; a gentle one where it has none, or a timing is still to be found."""
+    law: Any = task.profile
+    if law is None or task.timing:
+        gentle = _smooth(length) if law is None and task.reference in SMOOTH else PROFILE
+        law = Signal.of({**gentle, **ENDS})
+    own = {name: getattr(law, name) for name in type(law).model_fields} | {"start": 0.0, "end": length}
+    known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if own.get(key)}
+    return type(law).model_construct(None, **own | (known if factor != 1 else {}))
 
-    def _shaped(self, move: Signal, wanted: bool) -> Signal:
-        shape = self.task.shaper
-        return Signal.of({"type": "shaped", "signal": move, "shaper": shape}) if shape and wanted else move
+
+def _shaped(task: Task, move: Signal) -> Signal:
+    return Signal.of({"type": "shaped", "signal": move, "shaper": task.shaper}) if task.shaper else move
 
 
 def _least_time(
