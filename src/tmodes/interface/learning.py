@@ -95,11 +95,8 @@ def learn(
     aim, first = _aimed(robot, places, times, by)
     left, sizes, right = np.linalg.svd(_lifted(robot, places, times, aim), full_matrices=False)
     added, tried, found = np.zeros((len(places), samples + 1)), robot, [aim.errors(first)]
-    kept, cautions, start = (
-        [(added, robot, found[0])],
-        [caution],
-        np.cos(np.pi / 2 * np.minimum(times / (_START * times[-1]), 1)) ** 2,
-    )
+    kept, cautions = [(added, robot, found[0])], [caution]
+    start = np.cos(np.pi / 2 * np.minimum(times / (_START * times[-1]), 1)) ** 2
     for k in range(iterations):
         progress("runs", (k + 1) / (iterations + 1))
         off = np.einsum("tjk,kt->jt", aim.turn, kept[-1][2] - kept[-1][2][:, :1] * start)
