@@ -17,6 +17,8 @@ from tmodes.errors import TmodesError
 from tmodes.kinds.paths.registry import PATHS, Course, Place, Way
 from tmodes.kinds.paths.registry import Path as TipPath
 from tmodes.kinds.schema.quantity import positive
+from tmodes.simulation.departure import departure
+from tmodes.simulation.initial_state import run_setup
 
 ARM = tmodes.load("two_link_arm")
 LIMITS = {"speed": 0.5, "acceleration": 3.0, "jerk": 60.0}
@@ -252,6 +254,17 @@ def test_files_of_the_command(tmp_path: Path) -> None:
     assert "line of 0.2065 in 1.176 s" in said
     assert str(tmodes.load(sheet).drives[1].signal.type) == "trajectory"
     assert figure.read_bytes().startswith(b"<?xml")
+
+
+@pytest.mark.parametrize("profile", [S_CURVE, {"type": "polynomial", "duration": 1.0}], ids=["s_curve", "polynomial"])
+def test_setpoints_with_sag_start_and_end_at_rest(profile: dict[str, Any]) -> None:
+    found = ARM.follow(LINE, profile=profile, reference="sag")
+    for drive in found.robot.drives:
+        pieces = drive.signal.schedule(found.duration)
+        ends = [pieces.at(time, order) for time in (0.0, found.duration) for order in (1, 2)]
+        assert ends == pytest.approx(np.zeros(4), abs=1e-9)
+    setup = run_setup(found.robot.pair().nominal)
+    assert departure(setup, setup.first_row) is None
 
 
 def test_with_the_sag_the_bent_tip_is_on_the_path_at_rest() -> None:

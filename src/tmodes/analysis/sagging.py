@@ -32,8 +32,8 @@ __all__ = ["Task", "Wanted", "sagged"]
 
 Array = NDArray[np.float64]
 
-_DEGREE = 5
-"""Of the spline through what is added to the references."""
+_DEGREE, _REST = 5, 1e-9
+"""Of the spline through what is added to the references; rate over the largest one below which a row is at rest."""
 
 _STEPS, _HALVINGS, _SETTLED = 60, 12, 1e-12
 """Newton's method: steps, halvings of one, change over the largest coordinate after which it ends."""
@@ -292,16 +292,20 @@ def sagged(robot: Robot, found: Followed) -> Followed:
 
 
 def _with(found: Followed, added: Array) -> Followed:
-    """The references with what is ``added`` (n, joints) to them, smoothly between the rows."""
+    """The references with what is ``added`` (n, joints) to them, smoothly between the rows, at rest where they are."""
     from scipy.interpolate import make_interp_spline
 
-    slopes = [np.zeros_like(added), np.zeros_like(added)]
+    moves = [np.abs(one).max(axis=1) > _REST * np.abs(one).max() for one in (found.rates, found.accelerations)]
+    free, slopes = (moves[0], moves[0] | moves[1]), [np.zeros_like(added), np.zeros_like(added)]
     jumps = 1 + np.flatnonzero(np.diff(found.times) == 0)  # of accelerations: two rows at one time
     for low, high in pairwise([0, *jumps.tolist(), len(added)]):
-        times = found.times[low:high]
-        spline = make_interp_spline(times, added[low:high], k=min(_DEGREE, high - low - 1))
+        times, rows = found.times[low:high], added[low:high]
+        loose = make_interp_spline(times, rows, k=min(_DEGREE, high - low - 1))
+        ends = [[(order, free[order - 1][row] * loose(found.times[row], order)) for order in (1, 2)]
+                for row in (low, high - 1)]  # fmt: skip
+        spline = make_interp_spline(times, rows, k=_DEGREE, bc_type=ends)
         for order in (1, 2):
-            slopes[order - 1][low:high] = spline.derivative(order)(times) if order <= spline.k else 0.0
+            slopes[order - 1][low:high] = spline(times, order)
     rates, accelerations = slopes
     return replace(
         found, values=found.values + added, rates=found.rates + rates, accelerations=found.accelerations + accelerations
