@@ -22,7 +22,7 @@ import tmodes
 from command import tmodes as command
 from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
-from tmodes.analysis.margins import loop_margins, step_duration, step_values
+from tmodes.analysis.margins import loop_margins, response, step_duration, step_values
 from tmodes.errors import InputError
 from tmodes.interface import linear_words
 from tmodes.io.sheet_check import sheet_data
@@ -302,6 +302,30 @@ def test_a_motor_without_a_spring_and_a_bending_that_nothing_reaches() -> None:
         linear.reduce(3, "minimal")
 
 
+def test_a_response_is_exact_where_it_is_small() -> None:
+    """Of a chain of masses from one end to the other: the product of its springs over a determinant by recursion."""
+    masses = np.array([2.0, 1e-3, 5.0, 0.3])
+    springs, dampers = np.array([5e3, 20.0, 8e4, 0.0]), np.array([1.0, 0.2, 3.0, 0.0])
+    apart = np.eye(4) - np.eye(4, k=-1)
+    stiff, damp = (apart.T @ np.diag(one[::-1]) @ apart for one in (springs, dampers))
+    A = np.block([[np.zeros((4, 4)), np.eye(4)], [-stiff / masses[:, None], -damp / masses[:, None]]])
+    B, C = np.eye(8)[:, 7:] / masses[3], np.eye(8)[:1]
+    at = 1j * np.geomspace(1e2, 1e5, 30)
+    found = response(A, B, C, np.zeros((1, 1)))(at)[:, 0, 0]
+    link = springs[::-1, None] + dampers[::-1, None] * at
+    diagonal = masses[:, None] * at**2 + link + np.vstack([link[1:], 0 * link[:1]])
+    before, whole = np.ones_like(at), diagonal[0]
+    for k in range(1, 4):
+        before, whole = whole, diagonal[k] * whole - link[k] ** 2 * before
+    assert np.abs(found / (link[1:].prod(axis=0) / whole) - 1).max() < 1e-11
+
+
+def test_a_response_at_a_pole_is_large() -> None:
+    found = response(np.zeros((1, 1)), np.eye(1), np.eye(1), np.zeros((1, 1)))(np.array([0, 2j]))[:, 0, 0]
+    assert abs(found[0]) > 1e15
+    assert found[1] == pytest.approx(-0.5j)
+
+
 def test_margins_of_a_double_integrator_with_lead() -> None:
     """k (s + 1)/s^2: phase margin in closed form, no gain margin; a delay that eats the phase."""
     double = np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0], [1.0]]), np.array([[2.0, 2.0]]), np.zeros((1, 1))
@@ -333,7 +357,8 @@ def test_other_tools_read_it(tmp_path: Path) -> None:
     [
         ({"inputs": "elbow.torque"}, "inputs"), ({"outputs": "tip.q"}, "outputs"),
         ({"inputs": "joint.setpoint"}, "inputs"), ({"period": -1.0}, "period"), ({"delay": 0.1}, "period"),
-        ({"closed": True, "at": {"joint": 0.1}}, "at"),
+        ({"closed": True, "at": {"joint": 0.1}}, "at"), ({"at": {"joint": 0.1, "joint.motor": 0.2}}, "--at"),
+        ({"at": "joint=0.1,joint=0.2"}, "--at"),
     ],
 )  # fmt: skip
 def test_what_there_is_not(how: dict[str, Any], which: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -97,8 +98,15 @@ def pose_of(given: Pose | None, sheet: Robot) -> dict[str, float]:
                 "--at", shown(name), f"joints that move: {', '.join(k for k, j in known.items() if not j.is_locked)}",
                 meant(name, [*known], "correct the name"),
             )  # fmt: skip
-        held[f"{name}.motor" if joint.is_active and joint.is_elastic and name in known else name] = value
+        coordinate = f"{name}.motor" if joint.is_active and joint.is_elastic and name in known else name
+        if coordinate in held:
+            raise _twice("--at", coordinate)
+        held[coordinate] = value
     return held
+
+
+def _twice(which: str, name: str) -> InputError:
+    return InputError(which, f"`{name}` a second time", "one value for each coordinate", "leave one of them out")
 
 
 def held_of(
@@ -113,6 +121,9 @@ def held_of(
     else:
         texts = given.split(",") if isinstance(given, str) and given else given or ()
         pairs = [_assigned(text, which) for text in texts]
+    for name, count in Counter(name for name, _ in pairs).items():
+        if count > 1:
+            raise _twice(which, name)
     slides = {joint.name for joint in sheet.joints if joint.type == "prismatic"}
     return {
         name: finite_number(f"{which} {name}", value, units[name.removesuffix(".motor") in slides], most=LARGEST)
