@@ -43,8 +43,9 @@ _FIRST, _LAST, _PER_RESIDUAL, _FALL, _RISE = 1e-2, 1e-8, 1e-2, 10.0, 3.0
 _SHORT, _SHORTEST, _BETTER, _IDLE = 0.3, 0.05, 0.9, 6
 """Shares of a step: short, too short to halve. What counts as better, and how many steps may be no better."""
 
-_LIMIT, _WITHIN, _TURNS = 1e-2, 0.998, 20
-"""Weight of what passes a limit; share of a limit that may be used; how often it is asked which limits are passed."""
+_LIMIT, _WITHIN, _TURNS, _PER_LIMIT = 1e-2, 0.998, 60, 10
+"""Weight of what passes a limit; share of a limit that may be used; how often it is asked which limits are passed, and
+steps to find what keeps to each."""
 
 _NEAR = 0.5
 """Share of the cost without bending up to which a step must be able to lower it; else the weight falls first."""
@@ -401,14 +402,19 @@ class RestToRest:
         way = free = -solve_triangular(triangle, turn.T @ rows[:, -1])
         both, used, kept = np.vstack([uses, -uses]), np.append(now.used, -now.used), np.zeros(0, dtype=int)
         for _ in range(_TURNS):
-            passed = np.setdiff1d(np.flatnonzero(used + both @ way > _WITHIN), kept)
+            beyond = used + both @ way - _WITHIN  # peaks of it: what is next to one mostly goes with it
+            peaks = (beyond > 0) & (beyond >= np.roll(beyond, 1)) & (beyond >= np.roll(beyond, -1))
+            passed = np.setdiff1d(np.flatnonzero(peaks), kept)
             if not len(passed):
                 break
             kept = np.append(kept, passed)
             across = solve_triangular(triangle, both[kept].T, trans=1)
             beyond = (used + both @ free)[kept] - _WITHIN
             soft = np.vstack([across, np.eye(len(kept)) / _LIMIT])
-            pushes = nnls(soft, np.append(np.zeros(len(free)), _LIMIT * beyond))[0]
+            try:
+                pushes = nnls(soft, np.append(np.zeros(len(free)), _LIMIT * beyond), maxiter=_PER_LIMIT * len(kept))[0]
+            except RuntimeError:  # more limits than the torques can keep: as near as it came
+                break
             way = free - solve_triangular(triangle, across @ pushes)
         left = response[:, :-1] @ way + response[:, -1]
         over = np.maximum(used + both @ way - _WITHIN, 0.0)
