@@ -20,10 +20,10 @@ LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
 SMOOTH = {"type": "polynomial", "duration": 1.0}
 
 
-def checks(robot: Any, path: Any, duration: float) -> dict[str, dict[str, float]]:
-    """Largest distance of the tip from the path [m] of all references."""
+def checks(robot: Any, path: Any, duration: float, more: tuple[str, ...] = ()) -> dict[str, dict[str, float]]:
+    """Largest distance of the tip from the path [m] of all references but the optimal one, and of ``more``."""
     found = {}
-    for reference in ("motors", "sag", "inverse"):
+    for reference in ("motors", "sag", "quasi_static", "inverse", *more):
         profile = SMOOTH | {"duration": duration}
         found[reference] = dict(robot.follow(path, profile=profile, reference=reference).checks)
     return found
@@ -53,8 +53,42 @@ def test_references_of_an_arm_with_a_flexible_link_are_a_hierarchy() -> None:
     rigid = found["motors"]["rigid"]
     assert found["motors"]["this"] < rigid
     assert found["sag"]["this"] < rigid / 3
+    assert found["quasi_static"]["this"] < found["sag"]["this"] / 100
     assert found["inverse"]["this"] < 1e-8
     assert found["inverse"]["open loop"] < 1e-6
+
+
+def test_references_of_the_robot_of_2010_are_a_hierarchy() -> None:
+    """In two periods of its first mode, without weight; what the inverse leaves is across the way of its one joint."""
+    robot = tmodes.load("filipovic2010", {"contact": False, "gravity": 0.0})
+    found = checks(robot, {"type": "joints", "points": [[0.7]]}, 0.4)
+    rigid = found["motors"]["rigid"]
+    assert found["motors"]["this"] < rigid
+    assert found["sag"]["this"] < rigid
+    for way in ("this", "open loop"):
+        assert found["quasi_static"][way] < rigid / 30
+        assert found["inverse"][way] < found["quasi_static"][way] / 3
+        assert found["inverse"][way] < found["sag"][way] / 100
+
+
+def test_the_quasi_static_reference_of_a_joint_is_that_of_its_equations() -> None:
+    """Nothing else bends, so that k (th - q) = I q'' + m g l sin q is all."""
+    found = tmodes.load("spong1987").follow(
+        {"type": "joints", "points": [[1.0]]}, profile=SMOOTH, reference="quasi_static"
+    )
+    times = found.motors.positions.times
+    q, push = (Signal.of(SMOOTH | {"start": 0.0, "end": 1.0}).schedule(2.0).at(times, order) for order in (0, 2))
+    assert found.motors.positions.values[:, 0] == pytest.approx(q + (push + 9.8 * np.sin(q)) / 100, abs=1e-5)
+    assert found.checks["this"] < 1e-6
+
+
+def test_accelerations_that_jump_are_said() -> None:
+    arm, jumps = tmodes.load("two_link_arm"), {"type": "trapezoid", "speed": 0.6, "acceleration": 4.0}
+    assert arm.follow(LINE, profile=jumps, reference="quasi_static").warnings
+    smooth = {"type": "s_curve", "speed": 0.6, "acceleration": 4.0, "jerk": 60.0}
+    found = {kind: arm.follow(LINE, profile=smooth, reference=kind) for kind in ("sag", "quasi_static")}
+    assert not found["quasi_static"].warnings
+    assert found["quasi_static"].checks["this"] < found["sag"].checks["this"] / 50
 
 
 def test_an_estimator_knows_the_efforts_of_the_inverse() -> None:
@@ -109,12 +143,16 @@ def test_references_of_a_six_axis_arm_that_bends_are_a_hierarchy() -> None:
     gears |= {f"wrist_{k}_joint": 6100.0 for k in (1, 2, 3)}
     changes = {f"joints.{name}.gear": {"stiffness": value, "damping": 10.0 if value > 1e4 else 1.0}
                for name, value in gears.items()}  # fmt: skip
-    found = checks(tmodes.load("ur5_elastic", changes), {"type": "line", "to": [0.597, 0.221, 0.508]}, 0.12)
+    robot = tmodes.load("ur5_elastic", changes)
+    free = {f"joints.{joint.name}.limits": None for joint in robot.joints if joint.limits}
+    found = checks(robot.with_(free), {"type": "line", "to": [0.597, 0.221, 0.508]}, 0.12, ("optimal",))
     rigid = found["motors"]["rigid"]
     assert found["motors"]["this"] < rigid / 3
     assert found["sag"]["this"] < rigid / 3
     for way in ("this", "open loop"):
-        assert found["inverse"][way] < found["sag"][way] / 10
+        assert found["quasi_static"][way] < rigid / 10
+        for best in ("inverse", "optimal"):
+            assert found[best][way] < found["quasi_static"][way] / 10
 
 
 def limited(limits: Any) -> Any:

@@ -63,7 +63,7 @@ def test_wrong_keys_are_named(task: dict[str, Any], which: str) -> None:
 
 
 @pytest.mark.nightly("optimal")
-@pytest.mark.parametrize("reference", ["rigid", "motors", "sag", "inverse", "optimal"])
+@pytest.mark.parametrize("reference", ["rigid", "motors", "sag", "quasi_static", "inverse", "optimal"])
 def test_a_run_is_that_of_the_sheet_that_follow_writes(reference: str, tmp_path: Path) -> None:
     robot, file = spong(reference=reference), tmp_path / "followed.yaml"
     run = robot.run(**BARE)

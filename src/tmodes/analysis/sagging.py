@@ -1,4 +1,4 @@
-"""The tip of the robot as it bends on the path of the rigid one: the equations, and their solution at rest.
+"""The tip of the robot as it bends on the path of the rigid one: the equations, and their quasi-static solutions.
 
 The unknowns are all coordinates q. Along those without a motor the equations of motion hold, along the others the tip
 is where that of the rigid robot would be, as far as its joints move it, and motors of a redundant robot are where those
@@ -6,7 +6,8 @@ of the rigid one would be, as far as that leaves the tip in place (N: the null s
 
     [M(q) q'' + h(q, q') + springs]_passive = 0,    J_rigid^T (x(q) - x_path(t)) + N N^T (q_motors - q_rigid(t)) = 0
 
-At rest that is the quasi-static compensation of what weight and loads bend; what accelerations bend is left out.
+At rest that compensates what weight and loads bend. With rates and accelerations of the rigid robot in place of its own
+(the gross motion, as in :mod:`tmodes.analysis.quasistatic`) it compensates what the inertia of the motion bends, too.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from tmodes.kinds.signals.registry import Signal
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["Task", "Wanted", "sagged"]
+__all__ = ["Task", "Wanted", "carried", "sagged"]
 
 Array = NDArray[np.float64]
 
@@ -37,6 +38,9 @@ _DEGREE, _REST = 5, 1e-9
 
 _STEPS, _HALVINGS, _SETTLED = 60, 12, 1e-12
 """Newton's method: steps, halvings of one, change over the largest coordinate after which it ends."""
+
+_BETWEEN = 8
+"""Rows for each one of the path where accelerations bend the robot."""
 
 _SINGULAR, _STRIDE = 1e-9, 1e-6
 """Share of the largest singular value of a direction that no joint moves; step [m, m/s, m/s^2] of differences."""
@@ -144,13 +148,18 @@ class Task:
         names, q = list(self.model.coordinates), np.zeros((len(values), self.model.nq))
         for name, value in self.robot.initial.coordinates.items():
             q[:, names.index(name)] = value
-        for joint, column in zip(self.joints, values.T, strict=True):
-            for name in (joint, f"{joint}.motor"):
-                if name in names:
-                    q[:, names.index(name)] = column
+        self._move(q, values)
         places, turns = (part[:, self.problem.point] for part in self.model.pose(q))
         jacobian = self.model.jacobian(q)[:, self.problem.point]
         return Wanted(q, places, turns, jacobian[:, :, [names.index(joint) for joint in self.joints]])
+
+    def _move(self, coordinates: Array, values: Array) -> None:
+        """Put the values (n, joints) of the joints, or their rates, where these and their motors stand (n, nq)."""
+        names = list(self.model.coordinates)
+        for joint, column in zip(self.joints, values.T, strict=True):
+            for name in (joint, f"{joint}.motor"):
+                if name in names:
+                    coordinates[:, names.index(name)] = column
 
     def along(self, times: Array) -> Wanted:
         """The same at times [s] from the beginning of the path; place and turn are exactly those of the path."""
@@ -241,21 +250,25 @@ class Task:
         pose = self.at_rest(self.along(np.array([self.duration])))
         return np.asarray(self.model.pose(pose)[0][0, self.problem.point])
 
-    def at_rest(self, wanted: Wanted) -> Array:
-        """Coordinates (n, nq) of the robot at rest with its tip there.
+    def at_rest(self, wanted: Wanted, rates: Array | None = None, accelerations: Array | None = None) -> Array:
+        """Coordinates (n, nq) of the robot at rest with its tip there; or held against what it takes to move so.
+
+        ``rates`` and ``accelerations`` (n, joints): of the rigid robot's joints [rad/s, m/s; rad/s^2, m/s^2].
 
         Raises :class:`tmodes.errors.InputError` where Newton's method finds none.
         """
         q, open_ = wanted.q.copy(), np.arange(len(wanted.q))
+        moving = [np.zeros_like(q), np.zeros_like(q)]
+        for motion, given in zip(moving, (rates, accelerations), strict=True):
+            if given is not None:
+                self._move(motion, given)
         for _ in range(_STEPS):
             here, own = q[open_], Wanted(*(part[open_] for part in wanted))
-            still = np.zeros_like(here)
-            slopes = self.problem.stiffness(here, np.arange(q.shape[1]))
-            slopes[:, self.motors] = self.off_slopes(here, own)
-            slopes[:, self.still] = np.eye(q.shape[1])[self.still]
+            v, a = (motion[open_] for motion in moving)
+            slopes = self.slopes(here, v, a, own)[0]
             scale = np.abs(slopes).max(axis=2)
             scale[scale == 0] = 1.0
-            off = self.residual(here, still, still, own) / scale
+            off = self.residual(here, v, a, own) / scale
             try:
                 change = np.linalg.solve(slopes / scale[:, :, None], off[:, :, None])[:, :, 0]
             except np.linalg.LinAlgError:
@@ -265,7 +278,7 @@ class Task:
                 break
             for _ in range(_HALVINGS):
                 tried = here - share[:, None] * change
-                after = self.residual(tried, still, still, own) / scale
+                after = self.residual(tried, v, a, own) / scale
                 worse = np.linalg.norm(after, axis=1) > np.linalg.norm(off, axis=1)
                 worse &= share * size > np.sqrt(_SETTLED)
                 if not worse.any():
@@ -289,6 +302,22 @@ def sagged(robot: Robot, found: Followed) -> Followed:
     task = Task(robot, found)
     held = task.at_rest(task.targets(found.values))
     return _with(found, held[:, task.motors] - found.values)
+
+
+def carried(robot: Robot, found: Followed) -> Followed:
+    """The same against weight, loads and the inertia of the motion, while what bends does not move, at closer rows.
+
+    Raises :class:`tmodes.errors.InputError` where the robot as it bends does not reach a row.
+    """
+    task, knots = Task(robot, found), np.unique(found.times)
+    shares = np.arange(_BETWEEN * (len(knots) - 1) + 1) / _BETWEEN
+    times = np.interp(shares, np.arange(len(knots)), knots)
+    values, rates, accelerations = (
+        np.stack([one.at(times, order) for one in task.pieces], axis=1) for order in range(3)
+    )
+    held = task.at_rest(task.along(times), rates, accelerations)
+    path = replace(found, times=times, values=values, rates=rates, accelerations=accelerations)
+    return _with(path, held[:, task.motors] - values)
 
 
 def _with(found: Followed, added: Array) -> Followed:

@@ -40,8 +40,9 @@ def follow(
         typer.Option(
             metavar="KIND",
             help="Setpoints of motors: rigid (joints of the rigid robot, the default), motors (with the "
-            "efforts that this takes), sag (tip on the path at rest), inverse (tip on the path as the robot bends and "
-            "moves), optimal (no swing at the end, within the limits, near the path).",
+            "efforts that this takes), sag (tip on the path at rest), quasi_static (tip on the path as weight and the "
+            "inertia of the motion bend the robot), inverse (tip on the path as the robot bends and moves), optimal "
+            "(no swing at the end, within the limits, near the path).",
         ),
     ] = None,
     least_time: Annotated[

@@ -88,12 +88,14 @@ def follow(
 
     ``reference``: setpoints of the motors. ``rigid``, the default: the joints of the rigid robot. ``motors``: these,
     and the efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go
-    where the tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their
-    efforts. ``inverse``: motions and efforts with which the tip of the moving robot is on the path, in contact too
-    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. ``optimal``: in the time of the path,
-    within the limits of speed and effort of the sheet, from rest at its start to rest at its end without swing, in
-    between as near to it as that leaves open, by exact derivatives of runs (:mod:`tmodes.gradients.optimal`). Runs of
-    the nominal robot say what that is worth (``checks``, ``swings``). ``least_time``: the profile made faster or
+    where the tip of the robot as it bends is on the path at rest, under weight and loads, with their efforts.
+    ``quasi_static``: under weight, loads and the inertia of the motion, as if what bends did not swing (the stationary
+    part of the paper's solution). ``inverse``: motions and efforts with which the tip of the moving robot is on the
+    path, in contact too (:mod:`tmodes.analysis.inversion`); they may begin before the path does. ``optimal``: in the
+    time of the path, within the limits of speed and effort of the sheet, from rest at its start to rest at its end
+    without swing, in between as near to it as that leaves open, by exact derivatives of runs
+    (:mod:`tmodes.gradients.optimal`). Runs of the nominal robot say what that is worth (``checks``, ``swings``).
+    ``least_time``: the profile made faster or
     slower, to 1 %, until a motor is at its limit of speed or effort (``limits`` of the sheet); of ``optimal`` the
     shortest motion that is found within them, to 2 %, where the path between the ends gives way. ``shaper``: of the way
     along the path, so that the tip stays on it and a mode does not ring after it, such as ``{"type": "zvd"}``; without

@@ -57,6 +57,11 @@ def write_page(found: Any, path: Path) -> Path:
     ), path)  # fmt: skip
 
 
+def _fewer(count: int) -> str:
+    """That of so many pairs of an input and an output not all are shown."""
+    return f"The first {_MOST_PAIRS} of {count} pairs; --inputs and --outputs choose." if count > _MOST_PAIRS else ""
+
+
 def _looks(count: int) -> list[dict[str, Any]]:
     from tmodes.plot.style import CYCLE, SERIES
 
@@ -70,10 +75,8 @@ def _plots(found: Any) -> Iterator[Plot]:
     shown = found.frequency_response()
     rates = Axis("frequency [Hz]", "log", range=(float(shown.frequency[0]), float(shown.frequency[-1])))
     at, pairs = shown.frequency.values, list(bode_curves(shown, found.family_response() if found.family else None))
-    looks, note = (
-        _looks(len(pairs)),
-        f"Shaded: the range of {len(found.family)} uncertain robots." if found.family else "",
-    )
+    looks, fewer = _looks(len(pairs)), _fewer(len(pairs))
+    shaded = f"Shaded: the range of {len(found.family)} uncertain robots." if found.family else ""
     for k, (title, label) in enumerate((("Gain", "gain [dB]"), ("Phase", "phase [deg]"))):
         bands, curves = [], []
         for (name, _, own, ranges), look in zip(pairs[:_MOST_PAIRS], looks, strict=False):
@@ -82,14 +85,14 @@ def _plots(found: Any) -> Iterator[Plot]:
                 area = np.append(at, at[::-1]), np.append(low, high[::-1])
                 bands.append(Curve(name, *area, "band", look["colour"]))
             curves.append(Curve(name, at, own[k], **look))
-        yield Plot(title, rates, Axis(label), [*bands, *curves], note)
+        yield Plot(title, rates, Axis(label), [*bands, *curves], " ".join(filter(None, (fewer, shaded))))
     yield _nyquist(found, shown, [pair[0] for pair in pairs], looks)
     steps, units = found.step_response(), found.system.units
     every = [(f"{source} to {name} [{pretty(units.get(name, ''))}]", steps.sel(input=source, output=name).values)
              for source in found.inputs for name in found.outputs]  # fmt: skip
     lines = [Curve(name, steps.time.values, values, **look) for (name, values), look in zip(every, looks, strict=True)]
     yield Plot("Step", Axis("time [s]"), Axis("after a step of 1"), lines[:_MOST_PAIRS],
-               "The change of each output after a step of 1 of an input, in SI units.")  # fmt: skip
+               f"The change of each output after a step of 1 of an input, in SI units. {fewer}".strip())  # fmt: skip
     values = found.singular_values()
     with np.errstate(divide="ignore"):
         sizes = 20 * np.log10(values.values)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.follow import Followed, Leg
 from tmodes.analysis.inversion import inverted
-from tmodes.analysis.sagging import Task, sagged
+from tmodes.analysis.sagging import Task, carried, sagged
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import InputError, TmodesError
@@ -241,6 +241,16 @@ def _sag(robot: Robot, path: Followed, tolerance: float, progress: Progress) -> 
     return _needed(robot, sagged(robot, path))
 
 
+def _quasi_static(robot: Robot, path: Followed, tolerance: float, progress: Progress) -> Reference:
+    del tolerance
+    progress("quasi-static", 0.0)
+    found = _needed(robot, carried(robot, path))
+    if all(_is_smooth(leg, 2) for leg in path.legs):
+        return found
+    jump = "what the motion bends jumps, as accelerations of the profile do"
+    return replace(found, warnings=(f"{jump}: take --profile '{{type: polynomial, duration: ...}}'",))
+
+
 def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress) -> Reference:
     known = vars(robot).get("nominal") or robot
     found = inverted(known, path, max(tolerance, 1e-9), lambda share: progress("inverse", share))
@@ -279,10 +289,10 @@ def _why_rough(robot: Robot, path: Followed) -> str:
     return ", as what bends swings faster than instants can be near, where the tip is held: take a longer duration"
 
 
-def _is_smooth(leg: Leg) -> bool:
-    """Whether four derivatives of the way over time have no jump, from rest to rest."""
+def _is_smooth(leg: Leg, orders: int = 4) -> bool:
+    """Whether so many derivatives of the way over time have no jump, from rest to rest."""
     pieces, knots, ends = leg.pieces, leg.pieces.knots, np.linspace(0.0, leg.end, _SAMPLES)
-    for order in range(1, 5):
+    for order in range(1, orders + 1):
         late, early = pieces.at(knots, order), pieces.at(np.nextafter(knots, -np.inf), order)
         late[-1] = early[0] = 0.0
         if np.abs(late - early).max() > _JUMP * np.abs(pieces.at(ends, order)).max():
@@ -362,5 +372,6 @@ def shortest(
 
 REFERENCES: Mapping[ReferenceKind, Callable[[Robot, Followed, float, Progress], Reference]] = {
     ReferenceKind.RIGID: _rigid, ReferenceKind.MOTORS: _motors, ReferenceKind.SAG: _sag,
+    ReferenceKind.QUASI_STATIC: _quasi_static,
     ReferenceKind.INVERSE: _inverse, ReferenceKind.OPTIMAL: _optimal,
 }  # fmt: skip

@@ -37,6 +37,7 @@ class ReferenceKind(StrEnum):
     RIGID = "rigid"  # joints of the rigid robot
     MOTORS = "motors"  # the same, and the efforts that keep the motors on them
     SAG = "sag"  # the tip is on the path at rest
+    QUASI_STATIC = "quasi_static"  # the tip is on the path as weight and the inertia of the motion bend the robot
     INVERSE = "inverse"  # the tip is on the path as the robot bends and moves
     OPTIMAL = "optimal"  # rest to rest in the time of the path, within the limits, near it
 
