@@ -247,3 +247,28 @@ def test_methods_and_runs_without_derivatives_are_refused() -> None:
         adjoint_gradient(bending_arm(method="midpoint", step=1e-3), SQUARES)
     with pytest.raises(SimulationError, match="max_steps"):
         adjoint_gradient(bending_arm(max_steps=3, duration=2.0), SQUARES)
+
+
+def test_steps_at_the_limit_of_stability_are_left_for_implicit_ones() -> None:
+    """A link whose second mode is stiff and at rest: along explicit steps derivatives grew by 1e50."""
+    joint = {"name": "joint", "type": "revolute", "child": "link", "axis": [0, 0, 1],
+             "motor": {"side": "joint", "inertia": 0.15}, "gear": {"stiffness": 5000.0, "damping": 4.0}}  # fmt: skip
+    beam = {"model": "strain", "functions": {"bend_y": 2, "bend_z": 2}, "length": 0.5, "damping_time": 1e-4,
+            "section": {"shape": "box", "height": 0.025, "width": 0.02, "thickness": 0.0015},
+            "material": "aluminium_6061"}  # fmt: skip
+    drive = {"joint": "joint", "command": "position",
+             "controller": {"type": "pd", "position_gain": 2e3, "velocity_gain": 40.0},
+             "signal": {"type": "quintic", "start": 0.9, "end": 0.3, "duration": 0.4}}  # fmt: skip
+    robot = Robot.from_data({
+        "format": 1, "kind": "arm", "name": "stiff", "joints": [joint], "drives": [drive],
+        "links": [{"name": "link", "bodies": [{"name": "load", "mass": 1.0, "at": 1.0}], "beam": beam}],
+        "integration": {"duration": 0.8, "output_step": 5e-3},
+    })  # fmt: skip
+    path = "joints.joint.gear.stiffness"
+    found, wanted = (
+        adjoint_gradient(robot.with_({"integration.method": method}), SQUARES, [path]).by[path]
+        for method in ("auto", "extrapolation")
+    )
+    assert found == pytest.approx(wanted, rel=1e-6)
+    with pytest.raises(SimulationError, match="stability"):
+        adjoint_gradient(robot.with_({"integration.method": "dormand_prince"}), SQUARES, [path])

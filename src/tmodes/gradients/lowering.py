@@ -1,22 +1,30 @@
-"""A data sheet as the numbers of a run."""
+"""A data sheet as the numbers of a run, and the run with its steps, along which it is differentiated.
+
+Steps of an explicit method that stand at its limit of stability are fine for the run, whose error control keeps what is
+fast small; along them, as they were, it grows. How much: the product over the steps of the factors that the method has
+for the eigenvalues there (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2).
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.errors import SimulationError
+from tmodes.integrate.choice import otherwise
+from tmodes.integrate.implicit import EXTRAPOLATION
 from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
-from tmodes.simulation.initial_state import RunSetup, run_setup
+from tmodes.simulation.initial_state import RunSetup, run_setup, slipping
 from tmodes.simulation.loop import LoopModel, refuse_switches
-from tmodes.simulation.recording import MOST_BYTES
+from tmodes.simulation.recording import MOST_BYTES, Recording
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.solve import solve
 from tmodes.simulation.vary.values import RobotVariant
@@ -25,13 +33,16 @@ __all__ = ["Lowered", "lowered", "pieces_at", "rows_of"]
 
 Array = NDArray[np.float64]
 
+_GROWTH, _LOOKS = 8, 50
+"""Digits by which derivatives may grow along steps beyond the motion; at how many places eigenvalues are looked at."""
+
 
 @dataclass(frozen=True, eq=False)
 class Lowered:
     """A run in numbers: its model, the parameters, the state at the start, and how it is integrated.
 
-    ``setup``: the run's setup. The method ``auto`` is chosen as for any run; one that turns out stiff underway
-    continues with it here.
+    ``setup``: the run's setup. The method ``auto`` is chosen as for any run; ``otherwise``: the settings of the one
+    that takes its place where derivatives would grow along its steps.
     """
 
     model: LoopModel
@@ -40,6 +51,7 @@ class Lowered:
     settings: Integration
     setup: RunSetup
     variant: RobotVariant = RobotVariant.ACTUAL
+    otherwise: Integration | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
@@ -50,6 +62,14 @@ class Lowered:
         """
         refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
         done = solve(self.setup.problem(), adjoint=most_bytes)
+        if (growth := self._growth(done)) > _GROWTH:
+            if self.otherwise is None:
+                raise SimulationError(
+                    f"derivatives of a run: along steps at the limit of stability of {done.method} they grow by "
+                    f"1e{growth:.0f}; expected by at most 1e{_GROWTH}. Set integration.method to extrapolation, or "
+                    "lower integration.relative_tolerance"
+                )
+            done = solve(self.setup.problem(self.otherwise), adjoint=most_bytes)
         contact, loop = self.setup.robot.contact, self.model.loop
         if done.contact_changes and contact and contact.jumps:
             raise SimulationError(
@@ -67,6 +87,27 @@ class Lowered:
         rates = loop.euler_rate if integrator(done.method).asks == EULER else loop.rate
         return Replay(rates, self.parameters, done, len(self.model.coordinates))
 
+    def _growth(self, done: Recording) -> float:
+        """Decimal logarithm of the largest growth along the steps of a run beyond that of the motion.
+
+        Modes are followed by the order of their eigenvalues.
+        """
+        tableau, grown = integrator(done.method).tableau, [np.zeros(self.model.layout.works.start)]
+        if tableau is None:
+            return 0.0
+        cuts = np.unique(np.linspace(0, len(done.t), _LOOKS + 1).astype(int)).tolist()
+        for first, stop in pairwise(cuts):
+            step = (first + stop) // 2
+            sample = min(int(np.searchsorted(done.times, done.t[step])), len(done.times) - 1)
+            state, row = slipping(self.model, done.samples[sample]), done.rows[done.segments[step]]
+            values = np.linalg.eigvals(self.model.jacobian(float(done.t[step]), state, row, self.parameters))
+            reach = done.h[first:stop, None] * values[np.argsort(-np.abs(values), kind="stable")]
+            reach[reach == 0] = np.finfo(float).eps
+            factors = np.log(np.maximum(np.abs(tableau.amplification(reach.astype(complex))), np.finfo(float).tiny))
+            grown.append(grown[-1] + (factors - np.maximum(reach.real, 0.0)).sum(axis=0))
+        most = np.array(grown) - np.minimum.accumulate(grown)
+        return float(most.max(initial=0.0)) / np.log(10.0)
+
 
 def _jumps(axis: AxisPart) -> bool:
     """Whether the torque of a gear jumps where its teeth meet."""
@@ -79,8 +120,11 @@ def lowered(sheet: Robot, variant: RobotVariant = RobotVariant.ACTUAL) -> Lowere
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    setup = run_setup(variant.of(sheet.pair()), variant.follow).chosen()
-    return Lowered(setup.model, setup.model.numbers, setup.start, setup.robot.integration, setup, variant)
+    setup = run_setup(variant.of(sheet.pair()), variant.follow)
+    given, own = setup.robot.integration, setup.chosen()
+    steady = setup.implicit == EXTRAPOLATION.name  # the other implicit method is not differentiated
+    other = otherwise(given, own.robot.integration.method) if steady else None
+    return Lowered(own.model, own.model.numbers, own.start, own.robot.integration, own, variant, other)
 
 
 def rows_of(schedule: SignalPieces, duration: float) -> Array:
