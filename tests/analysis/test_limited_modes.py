@@ -38,7 +38,7 @@ def test_a_limit_that_is_not_reached_changes_no_mode(name: str, at: float) -> No
 @pytest.mark.parametrize("more", [{}, {"sample_time": 1e-3, "delay": 1.5e-3}])
 def test_nor_about_another_pose_than_that_of_the_run(more: dict[str, Any]) -> None:
     """The law has its setpoint there, and what it remembers settles to that."""
-    pose = {"joint": 1.3, "joint.motor": 1.3}
+    pose = {"joint.motor": 1.3}
     law, found = LAWS["continuous"], []
     for limit in ({"limit": 4.0}, {}):
         modes = robot(law | limit, -0.4, **more).modes(at=pose)

@@ -272,3 +272,25 @@ def test_steps_at_the_limit_of_stability_are_left_for_implicit_ones() -> None:
     assert found == pytest.approx(wanted, rel=1e-6)
     with pytest.raises(SimulationError, match="stability"):
         adjoint_gradient(robot.with_({"integration.method": "dormand_prince"}), SQUARES, [path])
+
+
+@pytest.mark.parametrize("kind", ["clamp", "none", "back_calculation"])
+def test_a_command_that_meets_its_limit(kind: str) -> None:
+    """Against central differences of runs; along steps over the kinks they were up to 87 % off."""
+    more = {"tracking_time": 0.05} if kind == "back_calculation" else {}
+    law = {"type": "pid", "position_gain": 80.0, "velocity_gain": 8.0, "integral_gain": 300.0, "limit": 14.0,
+           "anti_windup": kind, **more}  # fmt: skip
+    robot = load("spong1987").with_({
+        "drives.0": {"joint": "joint", "command": "position", "controller": law,
+                     "signal": {"type": "septic", "start": 0.0, "end": 1.0, "duration": 0.5}},
+        "integration.duration": 1.5, "integration.output_step": 2e-3,
+    })  # fmt: skip
+    path = "drives.0.controller.position_gain"
+    tight = robot.with_({"integration.relative_tolerance": 1e-12, "integration.absolute_tolerance": 1e-14})
+
+    def measured(share: float) -> float:
+        done = record(lowered(tight.with_({path: 80.0 * (1 + share)})).setup.problem())
+        return squares(done.times, done.samples)[0]
+
+    found = adjoint_gradient(robot, SQUARES, [path]).by[path] * 80.0
+    assert found == pytest.approx((measured(1e-4) - measured(-1e-4)) / 2e-4, rel=1e-3)

@@ -33,8 +33,12 @@ __all__ = ["Lowered", "lowered", "pieces_at", "rows_of"]
 
 Array = NDArray[np.float64]
 
-_GROWTH, _LOOKS = 8, 50
-"""Digits by which derivatives may grow along steps beyond the motion; at how many places eigenvalues are looked at."""
+_GROWTH, _MOST_GROWTH, _LOOKS = 8, 12, 50
+"""Digits by which derivatives may grow along steps beyond the motion before others are taken, and where there are none;
+at how many places eigenvalues are looked at."""
+
+_KINKS, _NO_LIMIT = 1e-11, 1e200
+"""Relative tolerance of runs in which commands meet their limits; a limit that none meets."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,15 +65,19 @@ class Lowered:
         the time of the jump moves with the numbers is part of the derivative, and not seen.
         """
         refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
+        settings = self.settings
         done = solve(self.setup.problem(), adjoint=most_bytes)
-        if (growth := self._growth(done)) > _GROWTH:
-            if self.otherwise is None:
-                raise SimulationError(
-                    f"derivatives of a run: along steps at the limit of stability of {done.method} they grow by "
-                    f"1e{growth:.0f}; expected by at most 1e{_GROWTH}. Set integration.method to extrapolation, or "
-                    "lower integration.relative_tolerance"
-                )
-            done = solve(self.setup.problem(self.otherwise), adjoint=most_bytes)
+        if (growth := self._growth(done)) > _GROWTH and self.otherwise:
+            settings = self.otherwise
+            done = solve(self.setup.problem(settings), adjoint=most_bytes)
+        elif growth > _MOST_GROWTH:
+            raise SimulationError(
+                f"derivatives of a run: along steps at the limit of stability of {done.method} they grow by "
+                f"1e{growth:.0f}; expected by at most 1e{_MOST_GROWTH}. Set integration.method to extrapolation, or "
+                "lower integration.relative_tolerance"
+            )
+        if self._meets_limits(done):
+            done = solve(self.setup.problem(_closer(settings)), adjoint=most_bytes)
         contact, loop = self.setup.robot.contact, self.model.loop
         if done.contact_changes and contact and contact.jumps:
             raise SimulationError(
@@ -86,6 +94,18 @@ class Lowered:
             )
         rates = loop.euler_rate if integrator(done.method).asks == EULER else loop.rate
         return Replay(rates, self.parameters, done, len(self.model.coordinates))
+
+    def _meets_limits(self, done: Recording) -> bool:
+        """Whether a limit cuts a command that moves between samples, at some sample of a run."""
+        free = self.parameters.copy()
+        for driver in self.model.loop.drivers:
+            servo = driver.plan.servo
+            free[[driver.numbers.start + place for place in (servo.limit_places if servo else ())]] = _NO_LIMIT
+        if np.array_equal(free, self.parameters):
+            return False
+        rows = done.rows[pieces_at(done.rows, done.times)]
+        rates, others = (self.model.rate(done.times, done.samples, rows, one) for one in (self.parameters, free))
+        return not np.array_equal(rates, others)
 
     def _growth(self, done: Recording) -> float:
         """Decimal logarithm of the largest growth along the steps of a run beyond that of the motion.
@@ -107,6 +127,16 @@ class Lowered:
             grown.append(grown[-1] + (factors - np.maximum(reach.real, 0.0)).sum(axis=0))
         most = np.array(grown) - np.minimum.accumulate(grown)
         return float(most.max(initial=0.0)) / np.log(10.0)
+
+
+def _closer(settings: Integration) -> Integration:
+    """Tolerances with which steps are short where a command meets its limit: there a kink costs derivatives more."""
+    least = max(_KINKS, integrator(settings.method).least_tolerance)
+    share = min(1.0, least / settings.relative_tolerance)
+    tolerances = {
+        f"{name}_tolerance": share * getattr(settings, f"{name}_tolerance") for name in ("relative", "absolute")
+    }
+    return settings.model_copy(update=tolerances)
 
 
 def _jumps(axis: AxisPart) -> bool:

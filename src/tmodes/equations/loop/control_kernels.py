@@ -97,6 +97,14 @@ class Servo:
         return name if name in self.limits else ""
 
     @property
+    def limit_places(self) -> list[int]:
+        """Where limits of a command that moves between samples stand in its numbers."""
+        if self.is_sampled and not self.driven:
+            return []
+        own = WINDING + len(self.limits)
+        return [*range(WINDING, own), *(own + k for k in (self.controller.limits_at if self.controller else ()))]
+
+    @property
     def law(self) -> Law | None:
         """The compiled form of its controller."""
         if self.controller is None:

@@ -37,6 +37,8 @@ class Controller(Block, family="controller", key="type"):
 
     tuned: ClassVar[tuple[str, ...]] = ("position_gain", "integral_gain", "velocity_gain")
     """Its numbers, or groups of numbers by name, that ``tmodes tune`` changes, as far as it has them."""
+    limits_at: ClassVar[tuple[int, ...]] = ()
+    """Which of its numbers are limits of its command."""
 
     @property
     def is_local(self) -> bool:

@@ -15,6 +15,10 @@ from tmodes.kinds.schema.quantity import Issue, not_negative, positive
 __all__ = ["PID", "AntiWindup", "SampledPID"]
 
 
+_BAND = 1e-3
+"""Share of the limit within which conditional integration sets in, in continuous time."""
+
+
 class AntiWindup(StrEnum):
     """What the integral does while the command is cut (K. J. Astrom, T. Hagglund, PID Controllers, 1995, 3.5)."""
 
@@ -57,6 +61,11 @@ class _PID(Controller):
         given = {name: getattr(self, name) for name in ("limit", "tracking_time", "filter_time")}
         return {name: value for name, value in given.items() if value is not None}
 
+    @property
+    def limits_at(self) -> tuple[int, ...]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """The largest command, where it has one."""
+        return (3,) if self.limit is not None else ()
+
     def numbers(self) -> tuple[float, ...]:
         """The gains, and what else there is."""
         return (self.position_gain, self.integral_gain, self.velocity_gain, *self._more.values())
@@ -92,7 +101,11 @@ class _PID(Controller):
         if self.anti_windup is AntiWindup.BACK_CALCULATION:
             cut = f.fmax(f.fmin(command, limit), -limit) - command
             return error + cut / (p[1] * self._number(p, "tracking_time"))
-        return f.if_else(f.fabs(command) > limit, f.if_else(command * error > 0, 0.0, error), error)
+        return f.if_else(command * error > 0, (1 - self._held(command, limit)) * error, error)
+
+    def _held(self, command: Any, limit: Any) -> Any:
+        """The share of the error that the integral leaves out."""
+        return f.if_else(f.fabs(command) > limit, 1.0, 0.0)
 
     @property
     def structure(self) -> str:
@@ -117,6 +130,10 @@ class PID(_PID):
 
     def _rate(self, p: Any, m: Measured, x: list[Any]) -> Any:
         return m.velocity if self.filter_time is None else (m.position - x[1]) / self._number(p, "filter_time")
+
+    def _held(self, command: Any, limit: Any) -> Any:
+        """All of it just beyond the limit: a jump there would have no solution where it leads the command back."""
+        return f.fmin(f.fmax((f.fabs(command) - limit) / (_BAND * limit), 0.0), 1.0)
 
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """That of the integral, and of the filtered position."""
