@@ -37,7 +37,7 @@ _GROWTH, _MOST_GROWTH, _LOOKS = 8, 12, 50
 """Digits by which derivatives may grow along steps beyond the motion before others are taken, and where there are none;
 at how many places eigenvalues are looked at."""
 
-_KINKS, _NO_LIMIT = 1e-11, 1e200
+_KINKS, _NO_LIMIT = 1e-12, 1e200
 """Relative tolerance of runs in which commands meet their limits; a limit that none meets."""
 
 

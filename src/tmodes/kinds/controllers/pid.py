@@ -15,7 +15,7 @@ from tmodes.kinds.schema.quantity import Issue, not_negative, positive
 __all__ = ["PID", "AntiWindup", "SampledPID"]
 
 
-_BAND = 1e-3
+_BAND = 1e-2
 """Share of the limit within which conditional integration sets in, in continuous time."""
 
 
