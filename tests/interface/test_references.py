@@ -234,6 +234,7 @@ def test_the_run_counts_errors_from_the_path() -> None:
     own = tmodes.load("two_link_arm", {"real": {}}).follow(LINE, profile=SMOOTH, reference="inverse")
     drives = own.robot.drives
     assert own.lead > 0
+    assert own.motors.end < 1.15  # where all rests again: no later
     assert drives[0].motion.delay == pytest.approx(own.lead)
     assert own.robot.run().verdict["largest_m"] < 1e-6
     again = tmodes.Robot.from_data(own.robot.model_dump(mode="json", exclude_none=True, by_alias=True))

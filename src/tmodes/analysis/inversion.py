@@ -48,6 +48,9 @@ _LEAST, _LONGEST, _PERIODS, _FARTHER = 0.07, 1.0, 4.0, 8.0
 """Lead and tail over the duration of the path: at least, at most; or at most periods of the slowest zero that lasts
 longer, up to a bound over the duration."""
 
+_RESTS = 1e-10
+"""Rate over the largest one up to which the robot still rests."""
+
 _FASTEST = 1e6
 """Zeros by which their equations are scaled at most [1/s]."""
 
@@ -403,11 +406,16 @@ class _Solution:
         return bool(held.any() and not held.all())
 
     def inverse(self, error: float, rough: float) -> Inverse:
-        """The way there."""
+        """The way there, from where it begins to move to where it ends."""
         task, (q, v, a) = self.task, self.motion(self.q)
-        there = np.arange(self.instants) * self.step <= self.lead + task.duration + self.tail + 1e-9 * self.step
+        there = np.flatnonzero(self.way <= task.duration + self.tail + 1e-9 * self.step)
+        rates, least = np.abs(v[there]).max(axis=1), _LEAST * task.duration
+        moving = rates > _RESTS * rates.max()
+        moving |= (self.way[there] > -least) & (self.way[there] < task.duration + least)
+        first, last = np.flatnonzero(moving)[[0, -1]]
+        there = there[max(first - 1, 0) : last + 2]
         q, v, a = (part[there] for part in (q, v, a))
-        left = float(np.abs(v[[0, -1]]).max(initial=0.0))
-        times, efforts = self.way[there] + self.lead, self.efforts(q, v, a)
+        left, lead = float(np.abs(v[[0, -1]]).max(initial=0.0)), -float(self.way[there[0]])
+        times, efforts = self.way[there] + lead, self.efforts(q, v, a)
         aside = 0.0 if self.aside is None else float(np.linalg.norm(self.aside[there, :3], axis=1).max())
-        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left, aside)
+        return Inverse(times, q, v, a, task.motors, efforts, lead, error, rough, left, aside)
