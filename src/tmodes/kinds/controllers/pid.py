@@ -16,7 +16,7 @@ __all__ = ["PID", "AntiWindup", "SampledPID"]
 
 
 _BAND = 1e-2
-"""Share of the limit within which conditional integration sets in, in continuous time."""
+"""Share of the limit over which conditional integration stops the integral, in continuous time."""
 
 
 class AntiWindup(StrEnum):
