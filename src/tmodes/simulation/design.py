@@ -47,6 +47,8 @@ def linear_plant(
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
     found = copy.deepcopy(_plant(_read(robot), _Aside(robot), reads, drives, held, delay))
+    begin = {drive.joint: _setpoint(robot, drive, start=True) for drive in robot.drives}
+    found = replace(found, first=tuple(begin[joint] for joint in drives))
     if not any(one.pairs for one in added):
         return found
     rest = tuple(one.start if start else one.end for one in added)

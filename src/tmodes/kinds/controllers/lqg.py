@@ -63,7 +63,7 @@ class LQG(WeightedLaw):
     )
     form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
     estimate: dict[str, Number] = weights_by_name(
-        "coordinate", "x_p", "first estimate, as deviation from the rest; others 0"
+        "coordinate", "x_p", "first estimate, as deviation from the first setpoints; others 0"
     )
 
     def _issues(self) -> Iterator[Issue]:
@@ -111,10 +111,16 @@ class LQG(WeightedLaw):
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:
-        """Those of an LQR, then y at rest, C, M, Ad, Bd row by row, and what counts with what is fed forward."""
+        """Those of an LQR, y at rest, C, M, Ad, Bd row by row, what counts with what is fed forward, the estimate."""
         d = self.design
         rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
-        return (*super().numbers(), *np.concatenate(rows))
+        return (*super().numbers(), *np.concatenate(rows), *self._begun(d.plant))
+
+    def _begun(self, plant: LinearPlant) -> list[float]:
+        """The first estimate: what is given, about where the setpoints begin."""
+        still = Measured(setpoints=[[one, 0.0] for one in plant.first], drives=plant.drives)
+        moved = [0.0] * len(plant.states) if self.reference else self._moved(plant.rest, still)
+        return [far + each for far, each in zip(moved, diagonal(self.estimate, plant, "estimate"), strict=True)]
 
     def _matrices(self, d: Design) -> list[Any]:
         """Where something is fed forward: its states' changes and outputs by it, its value at rest, its factors."""
@@ -140,7 +146,7 @@ class LQG(WeightedLaw):
 
     def initial(self) -> tuple[float, ...]:
         """The estimate, and past commands less those at rest."""
-        return (*diagonal(self.estimate, self.design.plant, "estimate"), *super().initial())
+        return (*self.numbers()[-len(self.design.plant.states) :], *super().initial())
 
     @property
     def states(self) -> tuple[OwnState, ...]:
