@@ -357,6 +357,8 @@ def test_other_tools_read_it(tmp_path: Path) -> None:
     [
         ({"inputs": "elbow.torque"}, "inputs"), ({"outputs": "tip.q"}, "outputs"),
         ({"inputs": "joint.setpoint"}, "inputs"), ({"period": -1.0}, "period"), ({"delay": 0.1}, "period"),
+        ({"period": 1e-3, "delay": 0.6}, "delay"), ({"inputs": "joint.torque,joint.torque"}, "inputs"),
+        ({"outputs": ["tip.x", "tip.x"]}, "outputs"),
         ({"closed": True, "at": {"joint": 0.1}}, "at"), ({"at": {"joint": 0.1, "joint.motor": 0.2}}, "--at"),
         ({"at": "joint=0.1,joint=0.2"}, "--at"),
     ],

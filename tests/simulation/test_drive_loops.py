@@ -113,6 +113,8 @@ def test_a_queue_of_hundreds_of_commands_is_left_to_linear() -> None:
     assert not sampled_margins(closed)
     (said,) = loop_warnings(closed)
     assert f"{len(closed.A)} states" in said
+    with pytest.raises(SimulationError):
+        late.modes()
 
 
 def test_a_run_needs_no_common_period() -> None:
