@@ -96,5 +96,5 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
         if drive.servo and closed == drive.servo.is_controlled and drive.joint in commands:
             place = 1 + drive.signal * (plan.plan.degree + 1)
             yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", place
-            if closed and plan.plan.degree:  # the second number of a piece is its rate
+            if closed:  # the second number of a piece is its rate
                 yield f"{drive.joint}.setpoint_rate", place + 1
