@@ -207,6 +207,11 @@ class Block(Kind):
         """Names and units of its own states."""
         return tuple(OwnState(f"state{k + 1}") for k in range(len(self.initial())))
 
+    @property
+    def remembered(self) -> int:
+        """How many of its own states, the last ones, are past commands, the newest of all its outputs first."""
+        return 0
+
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """Derivatives by time of its own states, in continuous time."""
         del p, m, x

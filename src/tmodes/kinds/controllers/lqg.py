@@ -141,16 +141,17 @@ class LQG(WeightedLaw):
         return found
 
     @property
-    def _remembered(self) -> int:
+    def remembered(self) -> int:
+        """At least the last commands, which are in force when it measures."""
         return max(self._kept, len(self.design.plant.drives))
 
     def initial(self) -> tuple[float, ...]:
-        """The estimate, and past commands less those at rest."""
+        """The estimate, and past commands."""
         return (*self.numbers()[-len(self.design.plant.states) :], *super().initial())
 
     @property
     def states(self) -> tuple[OwnState, ...]:
-        """The estimate, and past commands less those at rest."""
+        """The estimate, and past commands."""
         return (*(OwnState(f"estimate.{name}") for name in self.design.plant.states), *super().states)
 
     def _fed(self, p: Any, m: Measured) -> list[Any]:
@@ -165,10 +166,11 @@ class LQG(WeightedLaw):
     def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate after the measurement."""
         before, (rest, C, M, _, _, *more) = x[: len(self.design.plant.states)], self._observing(p)
+        known = [*before, *self._past(p, x)]
         moved = self._moved(self._parts(p)[1], m) if self.reference else []
         fed, new = self._fed(p, m), []
         for k, name in enumerate(self.measured):
-            predicted = [c * value for c, value in zip(C[k], x, strict=False)]
+            predicted = [c * value for c, value in zip(C[k], known, strict=False)]
             predicted += [c * value for c, value in zip(C[k], moved, strict=False)]
             predicted += [d * value for d, value in zip(more[1][k], fed, strict=True)] if fed else []
             new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
@@ -187,8 +189,8 @@ class LQG(WeightedLaw):
 
     def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate for the next sample, and the commands of this one."""
-        pushed, past = self._given(p, m, x), self._past(x)
-        after, (_, _, _, Ad, Bd, *more) = [*self._filtered(p, m, x), *past[: self._kept]], self._observing(p)
+        given, (_, _, _, Ad, Bd, *more) = self.command(p, m, x), self._observing(p)
+        pushed, after = self._less_rest(p, given), [*self._filtered(p, m, x), *self._past(p, x)[: self._kept]]
         fed = [] if self.reference else self._fed(p, m)
         pushes = [[*row, *(more[0][k] if fed else ())] for k, row in enumerate(Bd)]
         predicted = [
@@ -196,7 +198,7 @@ class LQG(WeightedLaw):
                            *(b * value for b, value in zip(push, [*pushed, *fed], strict=True))])
             for row, push in zip(Ad, pushes, strict=True)
         ]  # fmt: skip
-        return [*predicted, *[*pushed, *past][: self._remembered]]
+        return [*predicted, *self._commands(given, x)]
 
     @property
     def structure(self) -> str:
