@@ -132,10 +132,8 @@ def _commands(robot: Any) -> Iterator[Issue]:
             yield Issue(f"{path}.of", f"`{sheet.of}`", known, "correct the name, or add the drive")
         for k, joint in enumerate(sheet.drives):
             rivals = _commanders(robot, joint)
-            other = rivals[0].name if sheet in rivals[1:] else None
+            other = rivals[0].name if rivals and (sheet in rivals[1:] or joint in sheet.drives[:k]) else None
             yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, other))
-            if joint in sheet.drives[:k]:
-                yield Issue(f"{path}.drives.{k}", f"`{joint}` again", "each drive once", "remove it, or name another")
             taken.add(joint)
         yield from _outputs(path, sheet)
         yield from _gears(path, robot, sheet.block, drives)

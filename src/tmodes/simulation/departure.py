@@ -20,10 +20,7 @@ __all__ = ["Departure", "departure"]
 Array = NDArray[np.float64]
 
 _FELT = 1e-9
-"""Force over the largest one in play that is none."""
-
-_LITTLE = 1e-9
-"""Turn or travel [rad, m] that is none: of what brings about no larger acceleration nothing is to be seen."""
+"""Force over the largest one in play, and turn or travel [rad, m], that is none."""
 
 
 @dataclass(frozen=True)
@@ -57,15 +54,14 @@ def departure(setup: RunSetup, row: Array) -> Departure | None:
 
     def unbalanced(start: Array, signals: Array) -> Array:
         """Accelerations along free coordinates, zero where they are little, or what sensors round and their noise."""
-        seen, ideal = model.observe([0.0], start, signals), begun.copy()
-        ideal[0, balance.loop.layout.v] = start[layout.v]
-        exact = balance.loop.rate([0.0], ideal, signals)[0, balance.loop.layout.v][free]
+        seen = model.observe([0.0], start, signals)
+        exact = balance.loop.rate([0.0], begun, signals)[0, balance.loop.layout.v][free]
         found, efforts = seen["a"][0, free], seen["drives"][0, :, 0]
         level = max(float(np.abs(part).max(initial=0.0)) for part in (*loads, efforts))
         if not np.abs(mass @ found).max(initial=0.0) > _FELT * level:
             return np.zeros(len(free))
         slopes = balance.slopes(begun, signals[None], balance.loop.numbers)[0][: len(free), : len(free)]
-        return np.where(np.minimum(np.abs(found), np.abs(exact)) > rounding(slopes, q, _LITTLE), found, 0.0)
+        return np.where(np.minimum(np.abs(found), np.abs(exact)) > rounding(slopes, q, _FELT), found, 0.0)
 
     try:
         accelerations = unbalanced(setup.start, quiet)

@@ -250,8 +250,7 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
     setup = run_setup(pushed)
     plan, (state, row) = setup.planned, start_of(setup, time)
     if not plan.plan.degree:  # signals that are all constant have rates, too
-        plan = replace(plan, plan=replace(plan.plan, degree=1))
-        row = np.append(row[0], np.stack([row[1:], 0 * row[1:]], axis=1))
+        plan, row = replace(plan, plan=replace(plan.plan, degree=1)), np.append(row[0], np.c_[row[1:], 0 * row[1:]])
     at = Instant(plan, state, row, columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _read(_sampled(at, found) if plan.plan.is_sampled else found, at.model.layout.controls.start)

@@ -391,9 +391,9 @@ class LoopParts:
             for one in sorted(self.blocks, key=lambda one: driver.plan.command not in one.plan.signals):
                 own = one.plan.commands or ((one.plan.joint,) if len(one.plan.ports) == 1 else ())
                 if joint in own and one.plan.law.held:
-                    begin, law, k = first + one.controls, one.plan.law, own.index(joint)
-                    places += range(begin + k, begin + law.held, law.outputs)
-                    places += range(begin + law.states - law.block.remembered + k, begin + law.states, law.outputs)
+                    law, past = one.plan.law, getattr(one.plan.law.block, "remembered", 0)
+                    kept = [*range(law.held), *range(law.states - past, law.states)]
+                    places += [first + one.controls + k for k in kept[own.index(joint) :: law.outputs]]
             if places:
                 found.append((driver.coordinate, tuple(places)))
         return tuple(found)

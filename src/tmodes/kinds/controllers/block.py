@@ -199,18 +199,16 @@ class Block(Kind):
         return 0.0
 
     def initial(self) -> tuple[float, ...]:
-        """Its own states at time 0; as many as there are rates, or updates."""
+        """Its own states at time 0; as many as there are rates, or updates.
+
+        Where it has an attribute ``remembered``, so many last ones are past commands, the newest of all outputs first.
+        """
         return ()
 
     @property
     def states(self) -> tuple[OwnState, ...]:
         """Names and units of its own states."""
         return tuple(OwnState(f"state{k + 1}") for k in range(len(self.initial())))
-
-    @property
-    def remembered(self) -> int:
-        """How many of its own states, the last ones, are past commands, the newest of all its outputs first."""
-        return 0
 
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """Derivatives by time of its own states, in continuous time."""

@@ -112,15 +112,14 @@ class LQG(WeightedLaw):
 
     def numbers(self) -> tuple[float, ...]:
         """Those of an LQR, y at rest, C, M, Ad, Bd row by row, what counts with what is fed forward, the estimate."""
-        d = self.design
-        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
-        return (*super().numbers(), *np.concatenate(rows), *self._begun(d.plant))
+        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(self.design)]
+        return (*super().numbers(), *np.concatenate(rows), *self._begun(self.design.plant))
 
     def _begun(self, plant: LinearPlant) -> list[float]:
         """The first estimate: what is given, about where the setpoints begin."""
         still = Measured(setpoints=[[one, 0.0] for one in plant.first], drives=plant.drives)
-        moved = [0.0] * len(plant.states) if self.reference else self._moved(plant.rest, still)
-        return [far + each for far, each in zip(moved, diagonal(self.estimate, plant, "estimate"), strict=True)]
+        far = diagonal(self.estimate, plant, "estimate")
+        return far if self.reference else [a + b for a, b in zip(far, self._moved(plant.rest, still), strict=True)]
 
     def _matrices(self, d: Design) -> list[Any]:
         """Where something is fed forward: its states' changes and outputs by it, its value at rest, its factors."""
@@ -166,17 +165,17 @@ class LQG(WeightedLaw):
     def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate after the measurement."""
         before, (rest, C, M, _, _, *more) = x[: len(self.design.plant.states)], self._observing(p)
-        known = [*before, *self._past(p, x)]
+        before += self._past(p, x)
         moved = self._moved(self._parts(p)[1], m) if self.reference else []
         fed, new = self._fed(p, m), []
         for k, name in enumerate(self.measured):
-            predicted = [c * value for c, value in zip(C[k], known, strict=False)]
+            predicted = [c * value for c, value in zip(C[k], before, strict=False)]
             predicted += [c * value for c, value in zip(C[k], moved, strict=False)]
             predicted += [d * value for d, value in zip(more[1][k], fed, strict=True)] if fed else []
             new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
         return [
             value + vectors.total([gain * each for gain, each in zip(row, new, strict=True)])
-            for value, row in zip(before, M, strict=True)
+            for value, row in zip(before, M, strict=False)
         ]
 
     def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
@@ -198,7 +197,7 @@ class LQG(WeightedLaw):
                            *(b * value for b, value in zip(push, [*pushed, *fed], strict=True))])
             for row, push in zip(Ad, pushes, strict=True)
         ]  # fmt: skip
-        return [*predicted, *self._commands(given, x)]
+        return [*predicted, *[*given, *x[len(x) - self.remembered :]][: self.remembered]]
 
     @property
     def structure(self) -> str:

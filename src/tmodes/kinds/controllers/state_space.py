@@ -218,8 +218,7 @@ class _StateSpace(DesignedLaw):
 
     def numbers(self) -> tuple[float, ...]:
         """u_0, x at rest, K row by row."""
-        d = self.design
-        return (*d.plant.effort, *d.plant.rest, *np.asarray(d.K).ravel())
+        return (*self.design.plant.effort, *self.design.plant.rest, *np.asarray(self.design.K).ravel())
 
     def _parts(self, p: Any) -> tuple[Any, Any, Any]:
         """The numbers apart: u_0, rest, rows of K."""
@@ -273,13 +272,12 @@ class _StateSpace(DesignedLaw):
 
     def _less_rest(self, p: Any, commands: list[Any]) -> list[Any]:
         """Commands, of all drives or several times these, less those at rest."""
-        effort = self._parts(p)[0]
-        return [u - effort[k % len(effort)] for k, u in enumerate(commands)]
+        return [u - p[k % len(self.design.plant.drives)] for k, u in enumerate(commands)]
 
     def initial(self) -> tuple[float, ...]:
         """The integrals, and past commands: until a run sets those to what holds the motors, those at rest."""
-        effort = self.numbers()[: len(self.design.plant.drives)]
-        return ((0.0,) * self._sums) + effort * (self.remembered // len(effort))
+        drives = len(self.design.plant.drives)
+        return (0.0,) * self._sums + self.numbers()[:drives] * (self.remembered // drives)
 
     @property
     def states(self) -> tuple[OwnState, ...]:
@@ -302,18 +300,14 @@ class _StateSpace(DesignedLaw):
         """The integrals after a sample, and the commands."""
         errors = self._errors(m)[: self._sums]
         sums = [value + (self.sample_time or 0.0) * rate for value, rate in zip(x, errors, strict=False)]
-        return [*sums, *self._commands(self.command(p, m, x) if self.remembered else [], x)]
-
-    def _commands(self, given: list[Any], x: list[Any]) -> list[Any]:
-        """Those that it remembers, after the ones that are given now."""
-        return [*given, *x[len(x) - self.remembered :]][: self.remembered]
+        given = self.command(p, m, x) if self.remembered else []
+        return [*sums, *[*given, *x[len(x) - self.remembered :]][: self.remembered]]
 
     @property
     def structure(self) -> str:
         """The names of its states are part of the code."""
-        d = self.design
         sizes = f"{self._sums} {self.remembered} {self._kept} {self.sample_time}"
-        return f"{super().structure} {d.plant.states} {d.plant.drives} {sizes}"
+        return f"{super().structure} {self.design.plant.states} {self.design.plant.drives} {sizes}"
 
 
 def _place(plant: LinearPlant, joint: str) -> int:
@@ -343,8 +337,7 @@ class WeightedLaw(_StateSpace):
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         Q = diagonal(self.state_weights, plant, "state_weights")
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
-        R = self.effort_weight * np.eye(B.shape[1])
-        sampled = self.sample_time is not None
+        R, sampled = self.effort_weight * np.eye(B.shape[1]), self.sample_time is not None
         return riccati(A, B, Q, R, sampled=sampled, why=lambda: unreached(plant), which="state_weights")[0]
 
 

@@ -43,15 +43,13 @@ class Issue(NamedTuple):
     hint: str
 
 
-def too_late(delay: float, period: float | None) -> Iterator[Issue]:
-    """A ``delay`` [s] of more samples than may wait."""
-    if period is not None and delay > _MOST_HELD * period:
-        got, expected = f"{delay:g} s, {delay / period:.0f} samples", f"at most {_MOST_HELD * period:g} s"
-        yield Issue("delay", got, f"{expected}: {_MOST_HELD} samples", "shorten it, or sample less often")
-
-
-_MOST_HELD = 500
-"""Samples that may wait for a delay: each of them is a state."""
+def too_late(delay: float, period: float | None, most: int = 500) -> Iterator[Issue]:
+    """A ``delay`` [s] of more samples than may wait: each of them is a state."""
+    if period is not None and delay > most * period:
+        yield Issue(
+            "delay", f"{delay:g} s, {delay / period:.0f} samples", f"at most {most * period:g} s: {most} samples",
+            "shorten it, or sample less often",
+        )  # fmt: skip
 
 
 _STEERING = ("Cc", "Cf", "Cs", "Co", "Zl", "Zp")

@@ -26,16 +26,13 @@ from tmodes.kinds.noted.functions import array, exp, sqrt
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import LARGEST, Issue
 
-__all__ = ["SHAPERS", "SLOWEST", "Impulses", "Shaper", "decay", "residual"]
+__all__ = ["SHAPERS", "Impulses", "Shaper", "decay", "residual"]
 
 Array = NDArray[np.float64]
 
 MOST_MODES = 4
 MOST_DAMPING = 0.9
-SLOWEST = 1e-3
-"""Least frequency of a mode [Hz]: a shaper makes a motion longer by at least half of its period."""
-
-_Frequency = Annotated[float, Field(ge=SLOWEST, le=LARGEST)]
+_Frequency = Annotated[float, Field(ge=1e-3, le=LARGEST)]  # below it a motion becomes longer by minutes
 _Damping = Annotated[float, Field(ge=0.0, le=MOST_DAMPING)]
 
 
