@@ -341,6 +341,11 @@ WRONG: dict[str, tuple[Sheet, str]] = {
     "an unknown drive": ({"drive": {"controller": PD}, "control": [
         {"name": "a", "drives": ["elbow"], "block": PD}]}, "control.a.drives.0"),
     "a delay without samples": ({"drive": {"controller": PD, "delay": 0.01}}, "drives.0.sample_time"),
+    "a delay of too many samples": ({"drive": {"controller": PD, "delay": 0.6, "sample_time": 1e-3}}, "drives.0.delay"),
+    "a design of too many": ({"control": law(LQG | {"delay_in_design": True}, delay=5.1)}, "control.law.delay"),
+    "a sensor of too many": ({"drive": {"controller": PD}, "sensors": [
+        {"type": "gyro", "name": "a", "sample_time": 1e-3, "delay": 0.6}]}, "sensors.a.delay"),
+    "a drive twice": ({"control": [{"name": "a", "drives": ["joint", "joint"], "block": LQR}]}, "control.a.drives.1"),
     "two sample times": ({"drive": {"controller": PID, "sample_time": 0.01}}, "drives.0.sample_time"),
     "noise without samples": ({"drive": {"controller": PD}, "sensors": [
         {"type": "gyro", "name": "a", "noise": 0.1}]}, "sensors.a.sample_time"),

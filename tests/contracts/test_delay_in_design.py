@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag, solve_discrete_are
 
 from analysis.test_network_modes import PERIOD, WEIGHTS, assert_same, held, plant, robot
-from contracts.test_blocks import LQG, LQR, STATES
+from contracts.test_blocks import LINK, LQG, LQR, STATES, constant, law, spong
 from tmodes.errors import InputErrors
+from tmodes.gradients.changes import changes_of
+from tmodes.gradients.lowering import lowered
 from tmodes.simulation.plan import planned
 
 Array = NDArray[np.float64]
@@ -96,6 +98,20 @@ def test_integrals_and_loads_with_a_delay_end_at_the_setpoint() -> None:
         assert own.linearize(closed=True).is_stable
         run = own.with_(load | {"integration.duration": 8.0, "integration.output_step": 0.5}).run()
         assert run.data["q"].sel(coordinate="joint.motor")[-1] == pytest.approx(0.3, abs=2e-3)
+
+
+@pytest.mark.parametrize("block", [LQR | {"sample_time": PERIOD}, LQG])
+def test_past_commands_begin_with_what_holds_the_motor(block: Any) -> None:
+    """The torque of a gear that is wound by 0.1 rad, and its slope by the stiffness."""
+    start = {"state": "zero", "coordinates": {"joint": 0.1, "joint.motor": 0.0}}
+    own = spong(constant(0.5), 1.0, 0.1, {"g": 0.0}, control=law(block | KNOWN, delay=2.3 * PERIOD), initial=start)
+    here = lowered(own)
+    names, first = here.model.plan.control_names, here.model.layout.controls.start
+    past = [first + k for k, name in enumerate(names) if ".last" in name]
+    assert len(past) == 3
+    assert here.start[past] == pytest.approx(-0.1 * LINK["k"], rel=1e-12)
+    path = "joints.joint.gear.stiffness"
+    assert changes_of(own, here, here.recorded(), [path])[path].start[past] == pytest.approx(-0.1, rel=1e-9)
 
 
 def test_a_delay_that_is_not_in_the_design_is_said() -> None:

@@ -76,8 +76,7 @@ def by_scipy(fed: Any, late: int, *, filters: bool) -> Any:
 @pytest.mark.parametrize(("form", "late"), [("filter", 0), ("predictor", 1)])
 def test_the_filter_knows_what_is_fed_forward(form: str, late: int) -> None:
     """An effort of its own kind on top, which does not end at 0: the rest is one with it."""
-    robot = joint(OWN | {"form": form, "estimate": {"joint": -TURN, "joint.motor": -TURN}}, {"feed_forward": PUSH},
-                  delay=late * PERIOD)  # fmt: skip
+    robot = joint(OWN | {"form": form}, {"feed_forward": PUSH}, delay=late * PERIOD)
     run, truth = simulate_motion(robot), by_scipy(PUSH, late, filters=form == "filter")
     own = [run.coordinates.index(name) for name in ("joint", "joint.motor")]
     assert run.q[:COUNT, own] == pytest.approx(truth[:, :2], abs=1e-9)

@@ -117,6 +117,10 @@ def test_what_no_mode_has_is_refused() -> None:
     wrong = own | {"shaper": {"type": "zw", "frequencies": [1.0]}}
     with pytest.raises(InputErrors, match="zw"):
         tmodes.load("spong1987").with_({"drives.0.signal": wrong})
+    slow = own | {"shaper": {"type": "zv", "frequencies": [1e-9]}}
+    with pytest.raises(InputErrors) as caught:
+        tmodes.load("spong1987").with_({"drives.0.signal": slow})
+    assert caught.value.errors[0].which == "drives.0.signal.shaper.frequencies.0"
 
 
 @given(st.lists(st.floats(0.5, 9.0), min_size=1, max_size=2), st.sampled_from(sorted(EXAMPLES)), st.floats(0, 2))

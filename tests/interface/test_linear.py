@@ -145,6 +145,21 @@ def test_a_sampled_loop_that_takes_differences() -> None:
     assert linear.period == pytest.approx(1e-3)
 
 
+@pytest.mark.parametrize("more", [{}, {"sample_time": 0.01}])
+def test_setpoints_that_stand_have_rates_too(more: dict[str, float]) -> None:
+    """As those of a move do."""
+    signals = constant(0.0), {"type": "quintic", "start": 0.0, "end": 1.0, "duration": 0.5}
+    still, moving = (
+        robot(spong(one, 1.0, 0.1, initial={}, drive={"controller": PD, **more})).linearize(
+            closed=True, inputs="joint.setpoint,joint.setpoint_rate", outputs="joint.position"
+        )
+        for one in signals
+    )
+    assert pytest.approx(moving.A, rel=1e-12) == still.A
+    assert pytest.approx(moving.B, rel=1e-12) == still.B
+    assert still.B[:, 1].any()
+
+
 @pytest.mark.parametrize("filter_time", [0.0, 2e-3])
 def test_a_sampled_loop_that_takes_differences_about_a_start_in_balance(filter_time: float) -> None:
     """Where nothing was measured yet. Ahead of each sample: states, u before it, z, r and the position before it."""
@@ -357,6 +372,8 @@ def test_other_tools_read_it(tmp_path: Path) -> None:
     [
         ({"inputs": "elbow.torque"}, "inputs"), ({"outputs": "tip.q"}, "outputs"),
         ({"inputs": "joint.setpoint"}, "inputs"), ({"period": -1.0}, "period"), ({"delay": 0.1}, "period"),
+        ({"period": 1e-3, "delay": 0.6}, "delay"), ({"inputs": "joint.torque,joint.torque"}, "inputs"),
+        ({"outputs": ["tip.x", "tip.x"]}, "outputs"),
         ({"closed": True, "at": {"joint": 0.1}}, "at"), ({"at": {"joint": 0.1, "joint.motor": 0.2}}, "--at"),
         ({"at": "joint=0.1,joint=0.2"}, "--at"),
     ],

@@ -103,7 +103,7 @@ def test_files_of_the_command(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("given", "words"), [
     ({"kind": "zw"}, "`zw`"), ({"modes": (99,)}, "mode 99 of"), ({"modes": (0,)}, "numbers from 1"),
-    ({"frequency": (-1.0,)}, "frequencies > 0"), ({"frequency": (1.0,), "damping": (0.95,)}, "0.9"),
+    ({"frequency": (-1.0,)}, "at least 0.001"), ({"frequency": (1.0,), "damping": (0.95,)}, "0.9"),
     ({"frequency": (1.0, 2.0), "damping": (0.1,)}, "2 frequencies and 1 damping"),
     ({"frequency": (1.0,), "damping": (0.9,), "kind": "ei"}, "damping ratio of 0.9"),
     ({"tolerated": 0.1}, "--kind ei"),

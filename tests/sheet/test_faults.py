@@ -81,6 +81,9 @@ VALUES = [
     (lambda d: d["joints"][0].update(type=1), "joints.shoulder.type", ""),
     (lambda d: d["joints"][0].update(name=5), "joints.0.name", ""),
     (lambda d: d["joints"][0].update(name="a\x1b[2J"), "control characters", ""),
+    (lambda d: d["joints"][0].update(name="a\nb"), "control characters", ""),
+    (lambda d: d["links"][1]["bodies"][0].update(name="a\u2028b"), "bodies.0.name", "plain letters"),
+    (lambda d: d.update(points=[{"name": "a\nb", "link": "fore"}]), "points.0.name", "plain letters"),
     (
         lambda d: d["joints"][0].update(gear=4700),
         "joints.shoulder.gear must be a group with the keys stiffness, torque_limits, damping, backlash, got 4700",

@@ -240,16 +240,38 @@ def test_a_surface_that_moves_drags_the_nominal_robot_into_its_equilibrium_too()
     assert np.abs(np.delete(accelerations, given)).max() < 1e-9
 
 
-def test_an_estimator_that_begins_far_from_its_rest_settles_first() -> None:
-    """An LQG about the end of a move of 1 rad: its first estimate alone would ask for more than the drive gives."""
+def observed(estimate: float = 0.0, **more: Any) -> Any:
+    """A link on an elastic joint that moves by 1 rad, under an LQG about the end of its move."""
     law = {"type": "lqg", "sample_time": 1e-3, "measured": ["joint.motor.position"], "measurement_noise": [1e-9],
-           "state_weights": {"joint.motor": 1e6, "joint.motor'": 1e3},
+           "state_weights": {"joint.motor": 1e6, "joint.motor'": 1e3}, "estimate": {"joint.motor": estimate},
            "process_noise": {"joint'": 1e-3, "joint.motor'": 1e-3}}  # fmt: skip
     sheet = load("spong1987").model_dump(mode="json", by_alias=True, exclude_none=True)
     sheet["drives"][0].pop("controller")
-    sheet["drives"][0] |= {"saturation": {"torque": 20.0}}
-    sheet |= {"control": [{"name": "law", "drives": ["joint"], "block": law}]}
-    setup = run_setup(load("spong1987").from_data(sheet))
+    return load("spong1987").from_data(sheet | {"control": [{"name": "law", "drives": ["joint"], "block": law}]} | more)
+
+
+def test_an_estimator_that_begins_far_from_its_rest_settles_first() -> None:
+    """Its first estimate alone would ask for more than the drive gives."""
+    setup = run_setup(observed(1.0).with_({"drives.0.saturation": {"torque": 20.0}}))
     rates = setup.model.rate([0.0], setup.model.settled(setup.start, setup.planned.first_row), setup.planned.first_row)
     assert setup.off is None
     assert np.abs(rates[0]).max() < STILL
+
+
+@pytest.mark.parametrize("initial", [{"state": "held"}, {"state": "zero"}, {"coordinates": {"joint": 1e-9}}])
+def test_an_estimate_begins_where_the_setpoints_do(initial: Any) -> None:
+    """Wherever the start is given, the law does there what it does at rest."""
+    still, begun = (run_setup(observed(gravity=0.0, **more)) for more in ({}, {"initial": initial}))
+    assert np.abs(begun.start - still.start).max() < 1e-4
+    assert begun.off is None
+
+
+@pytest.mark.parametrize("path", ["drives.0.signal.start", "drives.0.signal.end", "control.law.block.estimate.joint"])
+def test_a_first_estimate_is_differentiated(path: str) -> None:
+    sheet = observed(initial={"state": "zero"}).with_({"control.law.block.estimate.joint": 0.1})
+    here, value = lowered(sheet), {"start": 0.0, "end": 1.0}.get(path.rpartition(".")[2], 0.1)
+    found = changes_of(sheet, here, here.recorded(), [path])[path].start
+    low, high = (run_setup(sheet.with_({path: value + step})).start for step in (-1e-4, 1e-4))
+    own = here.model.layout.controls
+    assert found[own] == pytest.approx((high - low)[own] / 2e-4, abs=1e-6)
+    assert np.abs(found[own]).max() > 0.1

@@ -52,6 +52,22 @@ def test_coordinates_that_are_placed_and_setpoints_that_move_at_once_are_said() 
     assert ramp.acceleration == pytest.approx(30.0 * RATE / 0.1, rel=1e-9)  # velocity_gain * rate / inertia
 
 
+@pytest.mark.parametrize("off", [{"resolution": 1e-3}, {"noise": 1e-3}])
+def test_what_a_sensor_rounds_and_its_noise_are_no_departure(off: dict[str, float]) -> None:
+    law = {"type": "sampled_pid", "position_gain": 400.0, "velocity_gain": 30.0, "sample_time": 1e-3,
+           "filter_time": 2e-3, "measured": "teeth"}  # fmt: skip
+    teeth = {"name": "teeth", "type": "encoder", "joint": "j", "side": "motor", "sample_time": 1e-3, **off}
+    setup = run_setup(lever(law, sensors=[teeth]))
+    assert np.abs(setup.model.observe([0.0], setup.start, setup.first_row)["a"]).max() > 0.1
+    assert departed(setup) is None
+
+
+def test_setpoints_that_begin_with_next_to_no_rate_are_none() -> None:
+    """30 N*m*s of 1e-8 rad/s: a spring of 2000 N*m/rad gives way to that by 1.5e-10 rad."""
+    slow = {"type": "expression", "formula": "1e-8*t"}
+    assert departed(run_setup(lever().with_({"drives.0.signal": slow}))) is None
+
+
 def test_a_link_that_bends_is_named_with_the_acceleration_of_its_tip() -> None:
     section = {"bending_stiffness": 40.0, "torsional_stiffness": 30.0, "mass_per_length": 0.5,
                "polar_inertia_per_length": 1e-4}  # fmt: skip

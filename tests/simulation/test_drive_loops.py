@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.errors import InputError
+from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.simulation.drive_loops import drive_loops, loop_warnings, sampled_loops, sampled_margins
 from tmodes.simulation.initial_state import run_setup
@@ -113,6 +113,22 @@ def test_a_queue_of_hundreds_of_commands_is_left_to_linear() -> None:
     assert not sampled_margins(closed)
     (said,) = loop_warnings(closed)
     assert f"{len(closed.A)} states" in said
+    with pytest.raises(SimulationError):
+        late.modes()
+
+
+def test_a_run_needs_no_common_period() -> None:
+    """Samples every 1.41421 and 3.14159 ms: it has no modes under control, and says so."""
+    law = {"type": "pd", "position_gain": KP, "velocity_gain": KV}
+    idle = [{"name": "teeth", "type": "encoder", "joint": "joint", "sample_time": 3.14159e-3}]
+    robot = under(law, sample_time=1.41421e-3).with_({"sensors": idle, "integration.duration": 0.02})
+    run = robot.run()
+    assert run.status == "finished"
+    assert not run.frequencies
+    assert len([text for text in run.warnings if "common period" in text]) == 2
+    assert [text for text in robot.check().warnings if "common period" in text]
+    with pytest.raises(SimulationError):
+        robot.linearize(closed=True)
 
 
 def test_what_waits_takes_no_part_in_a_hold() -> None:

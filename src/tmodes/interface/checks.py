@@ -54,14 +54,10 @@ def _starting(robot: Robot) -> tuple[list[str], dict[str, Margins]]:
         setup = run_setup(ready_to_run(_rigidly(robot)).pair().real)
     except (InputError, SimulationError) as error:
         return [f"`tmodes run` needs more: {error}"], {}
-    found = [*departures(setup, setup.first_row)]
-    if not setup.planned.plan.is_sampled:
-        return found, {}
-    from tmodes.simulation.drive_loops import loop_warnings, sampled_loops, sampled_margins
+    from tmodes.simulation.drive_loops import start_loops
 
-    closed = sampled_loops(setup)
-    loops = sampled_margins(closed) if closed else {}
-    return [*found, *(loop_warnings(closed, loops) if closed else ())], loops
+    loops, more = start_loops(setup, margins=True)
+    return [*departures(setup, setup.first_row), *more], loops
 
 
 def _rigidly(robot: Robot) -> Robot:

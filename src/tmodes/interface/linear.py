@@ -15,6 +15,7 @@ from tmodes.interface.statics import circumstances
 from tmodes.interface.variants import uncertain_of, uncertain_robots
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.files import FilePath
+from tmodes.kinds.schema.quantity import too_late
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -76,7 +77,7 @@ def linearize(
     from tmodes.simulation.linear import closed_loop, delayed, open_loop, without_held
     from tmodes.simulation.linear_inputs import all_inputs, driven
 
-    closed, chosen = closed or loop is not None, (_names(inputs), _names(outputs))
+    closed, chosen = closed or loop is not None, (_names(inputs, "inputs"), _names(outputs, "outputs"))
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
     robot = robot.pathless if time is None and not closed else robot.commanded(progress)
     robot = robot if closed else driven(robot, chosen[0])
@@ -140,13 +141,18 @@ def _refuse(
     if (period is None and delay) or (period is not None and not period > 0) or delay < 0:
         expected = "a period above 0 s, and a delay of 0 s or more"
         raise InputError("period", f"{period!r} s with a delay of {delay:g} s", expected, "write period=1e-3 for 1 kHz")
+    for issue in too_late(delay, period):
+        raise InputError(*issue)
     if closed and not robot.control and not any(drive.command.is_controlled for drive in robot.drives):
         hint = "leave out `closed`, or give a drive `command: position` and a `controller`"
         raise InputError("closed", "a robot without controllers", "one whose controllers close a loop", hint)
 
 
-def _names(given: str | Sequence[str] | None) -> tuple[str, ...]:
-    return tuple(name.strip() for name in given.split(",")) if isinstance(given, str) else tuple(given or ())
+def _names(given: str | Sequence[str] | None, which: str) -> tuple[str, ...]:
+    names = tuple(name.strip() for name in given.split(",")) if isinstance(given, str) else tuple(given or ())
+    if again := [name for k, name in enumerate(names) if name in names[:k]]:
+        raise InputError(which, f"`{again[0]}` twice", "each name once", "leave one out")
+    return names
 
 
 def _drives(robot: Robot, pose: Mapping[str, Any]) -> dict[str, Any]:

@@ -115,9 +115,9 @@ def _given(kind: str, frequency: Sequence[Any], damping: Sequence[Any], tolerate
         raise InputError("--frequency", got, expected, "give one ratio for each frequency")
     found["frequencies"] = [finite_number("--frequency", one, "Hz", "a frequency > 0", most=1e12) for one in frequency]
     found["damping"] = [finite_number("--damping", one, "-", "a ratio from 0 to 0.9", most=0.9) for one in damping]
-    if any(one < 1e-12 for one in found["frequencies"]) or any(one < 0 for one in found["damping"]):
+    if any(one < 1e-3 for one in found["frequencies"]) or any(one < 0 for one in found["damping"]):
         got = ", ".join(f"{one:g}" for one in (*found["frequencies"], *found["damping"]))
-        raise InputError("--frequency", got, "frequencies > 0 Hz, ratios from 0 to 0.9", "check their signs")
+        raise InputError("--frequency", got, "at least 0.001 Hz, ratios from 0 to 0.9", "check their units and signs")
     return found
 
 

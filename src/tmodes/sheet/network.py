@@ -132,7 +132,7 @@ def _commands(robot: Any) -> Iterator[Issue]:
             yield Issue(f"{path}.of", f"`{sheet.of}`", known, "correct the name, or add the drive")
         for k, joint in enumerate(sheet.drives):
             rivals = _commanders(robot, joint)
-            other = rivals[0].name if sheet in rivals[1:] else None
+            other = rivals[0].name if rivals and (sheet in rivals[1:] or joint in sheet.drives[:k]) else None
             yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, other))
             taken.add(joint)
         yield from _outputs(path, sheet)

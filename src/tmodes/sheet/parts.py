@@ -21,7 +21,7 @@ from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.registry import LINKS, BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, positive, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, positive, quantity, refuse, too_late
 from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
@@ -197,6 +197,7 @@ def _lateness(sheet: Any, law: Any) -> Iterator[Issue]:
     if sheet.delay and own is None and sheet.sample_time is None:
         expected = "a sample time, because `delay` is given"
         yield Issue("sample_time", "nothing", expected, "add `sample_time: 0.001`")
+    yield from too_late(sheet.delay, sheet.sample_time if own is None else own)
 
 
 class DriveSheet(DataSheet):

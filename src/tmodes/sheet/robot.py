@@ -132,6 +132,11 @@ class Robot(DataSheet):
         for group in ("joints", "links", "points", "sensors", "control"):
             texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
         texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
+        texts |= {
+            f"links.{k}.bodies.{j}.name": body.name
+            for k, link in enumerate(self.links)
+            for j, body in enumerate(link.bodies)
+        }
         return plain_texts(texts)
 
     @classmethod

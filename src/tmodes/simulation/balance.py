@@ -115,9 +115,9 @@ def _reach(q: Array) -> float:
     return 1.0 + float(np.abs(q).max(initial=0.0))
 
 
-def rounding(slopes: Array, q: Array) -> Array:
+def rounding(slopes: Array, q: Array, share: float = _ROUNDING) -> Array:
     """Up to which the rates of which these are the ``slopes`` (n, m) are none, (n,), in the pose ``q``."""
-    return _ROUNDING * np.abs(slopes).max(axis=1, initial=0.0) * _reach(q) + _SLOW
+    return share * np.abs(slopes).max(axis=1, initial=0.0) * _reach(q) + _SLOW
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,7 +20,7 @@ __all__ = ["Departure", "departure"]
 Array = NDArray[np.float64]
 
 _FELT = 1e-9
-"""Force over the largest one in play that is none."""
+"""Force over the largest one in play, and turn or travel [rad, m], that is none."""
 
 
 @dataclass(frozen=True)
@@ -53,14 +53,15 @@ def departure(setup: RunSetup, row: Array) -> Departure | None:
     begun[0, balance.loop.layout.v] = setup.start[layout.v]
 
     def unbalanced(start: Array, signals: Array) -> Array:
-        """Accelerations along free coordinates, zero where they are rounding."""
+        """Accelerations along free coordinates, zero where they are little, or what sensors round and their noise."""
         seen = model.observe([0.0], start, signals)
+        exact = balance.loop.rate([0.0], begun, signals)[0, balance.loop.layout.v][free]
         found, efforts = seen["a"][0, free], seen["drives"][0, :, 0]
         level = max(float(np.abs(part).max(initial=0.0)) for part in (*loads, efforts))
         if not np.abs(mass @ found).max(initial=0.0) > _FELT * level:
             return np.zeros(len(free))
-        slopes = balance.slopes(begun, signals[None], balance.loop.numbers)[0]
-        return np.where(np.abs(found) > rounding(slopes, q)[: len(free)], found, 0.0)
+        slopes = balance.slopes(begun, signals[None], balance.loop.numbers)[0][: len(free), : len(free)]
+        return np.where(np.minimum(np.abs(found), np.abs(exact)) > rounding(slopes, q, _FELT), found, 0.0)
 
     try:
         accelerations = unbalanced(setup.start, quiet)

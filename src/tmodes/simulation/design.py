@@ -46,7 +46,10 @@ def linear_plant(
     ``added``: what is fed forward on top of each.
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
-    found = copy.deepcopy(_plant(_read(robot), _Aside(robot), reads, drives, held, delay))
+    found = replace(
+        copy.deepcopy(_plant(_read(robot), _Aside(robot), reads, drives, held, delay)),
+        first=tuple(_setpoint(robot, one, start=True) for name in drives for one in robot.drives if one.joint == name),
+    )
     if not any(one.pairs for one in added):
         return found
     rest = tuple(one.start if start else one.end for one in added)

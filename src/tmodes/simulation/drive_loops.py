@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.margins import Margins, frequencies, loop_margins, points
+from tmodes.errors import SimulationError
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.simulation.initial_state import RunSetup, run_setup
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from tmodes.equations.loop.plan import Driver
     from tmodes.sheet import Robot
 
-__all__ = ["drive_loops", "loop_warnings", "sampled_loops", "sampled_margins"]
+__all__ = ["drive_loops", "loop_warnings", "sampled_loops", "sampled_margins", "start_loops"]
 
 Array = NDArray[np.float64]
 
@@ -76,6 +77,16 @@ def sampled_loops(setup: RunSetup) -> StateSpace | None:
     if not setup.planned.plan.is_sampled or setup.callback:
         return None
     return _held(setup, *start_of(setup, None))
+
+
+def start_loops(setup: RunSetup, *, margins: bool) -> tuple[dict[str, Margins], list[str]]:
+    """Margins of the sampled loops about the start of a run, where asked for, and what is to be warned of."""
+    try:
+        closed = sampled_loops(setup)
+    except SimulationError as error:  # a run needs no common period
+        return {}, [f"whether the sampled controllers are stable is not looked at before the run: {error}"]
+    found = sampled_margins(closed) if closed and margins else None
+    return found or {}, [*(loop_warnings(closed, found) if closed else ())]
 
 
 def sampled_margins(closed: StateSpace) -> dict[str, Margins]:

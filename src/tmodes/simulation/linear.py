@@ -241,15 +241,17 @@ def _hold(at: Instant) -> None:
 def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], time: float | None = None) -> StateSpace:
     """The robot under its controllers about the start of its run, or a ``time`` [s] of it.
 
-    ``inputs``: ``JOINT.setpoint``, loads on points.
+    ``inputs``: ``JOINT.setpoint``, ``JOINT.setpoint_rate``, loads on points.
 
     Sampled controllers make it a sampled system of their common period, whose inputs are held over it; the state is the
     one before the samples. Raises :class:`tmodes.errors.InputError` for unknown names.
     """
     pushed, loads = with_loads(robot, inputs)
     setup = run_setup(pushed)
-    plan = setup.planned
-    at = Instant(plan, *start_of(setup, time), columns(pushed, plan, inputs, loads, closed=True))
+    plan, (state, row) = setup.planned, start_of(setup, time)
+    if not plan.plan.degree:  # signals that are all constant have rates, too
+        plan, row = replace(plan, plan=replace(plan.plan, degree=1)), np.append(row[0], np.c_[row[1:], 0 * row[1:]])
+    at = Instant(plan, state, row, columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _read(_sampled(at, found) if plan.plan.is_sampled else found, at.model.layout.controls.start)
 

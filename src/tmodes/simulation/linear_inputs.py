@@ -95,6 +95,5 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
     for drive in plan.plan.drives:
         if drive.servo and closed == drive.servo.is_controlled and drive.joint in commands:
             place = 1 + drive.signal * (plan.plan.degree + 1)
-            yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", place
-            if closed and plan.plan.degree:  # the second number of a piece is its rate
-                yield f"{drive.joint}.setpoint_rate", place + 1
+            names = ("setpoint", "setpoint_rate") if closed else (commands[drive.joint],)  # second in a piece: its rate
+            yield from ((f"{drive.joint}.{name}", place + k) for k, name in enumerate(names))

@@ -160,12 +160,9 @@ def _growing(setups: _Setups) -> list[str]:
     found = [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
     for block in setups.real.planned.plan.blocks:
         found += [f"control block `{block.name}`: {remark}" for remark in block.law.block.remarks()]
-    if setups.real.planned.plan.is_sampled:
-        from tmodes.simulation.drive_loops import loop_warnings, sampled_loops
+    from tmodes.simulation.drive_loops import start_loops
 
-        if closed := sampled_loops(setups.real):
-            found += loop_warnings(closed)
-    return found
+    return [*found, *start_loops(setups.real, margins=False)[1]]
 
 
 def _run(

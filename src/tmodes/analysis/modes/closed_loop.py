@@ -41,6 +41,9 @@ Complex = NDArray[np.complex128]
 MOST_SAMPLES = 10_000
 """Samples within the common period of several controllers up to which their poles are computed."""
 
+_MOST_HELD = 300
+"""States of sampled controllers up to which modes are computed: their time grows with the third power of these."""
+
 _NO_SIZE = 1e-13
 """Singular value over the largest one that is rounding."""
 
@@ -95,7 +98,10 @@ class Feedback:
 
 
 def closed_loop_motions(mass: Array, damping: Array, stiffness: Array, loop: Feedback) -> tuple[Complex, Complex]:
-    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback."""
+    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback.
+
+    Raises :class:`tmodes.errors.SimulationError` for sampled controllers of too many states.
+    """
     n, k = loop.drive.shape
     matrix = np.zeros((2 * n + k, 2 * n + k))
     matrix[:n, n : 2 * n] = np.eye(n)
@@ -105,6 +111,11 @@ def closed_loop_motions(mass: Array, damping: Array, stiffness: Array, loop: Fee
     if not loop.samples:
         values, vectors = np.linalg.eig(matrix)
         return values.astype(complex), vectors[:n].astype(complex)
+    if k > _MOST_HELD:
+        raise SimulationError(
+            f"modes under control: with the values that wait for delays the controllers have {k} states, more than "
+            f"{_MOST_HELD}; `tmodes linear --closed` computes the poles, or shorten the delays"
+        )
     return _sampled_motions(matrix, loop.samples, n)
 
 

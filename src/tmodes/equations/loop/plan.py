@@ -380,7 +380,8 @@ class LoopParts:
     def held_commands(self) -> tuple[tuple[int, tuple[int, ...]], ...]:
         """Where the state holds sampled commands: of each drive what it moves, and the places, the one in force first.
 
-        Behind it those of blocks before, whose command it takes over; of a drive without sampled ones nothing.
+        Behind it what the block remembers of it, and those of blocks before, whose command it takes over; of a drive
+        without sampled ones nothing.
         """
         found, first = [], self.layout.controls.start
         for driver in self.drivers:
@@ -390,8 +391,9 @@ class LoopParts:
             for one in sorted(self.blocks, key=lambda one: driver.plan.command not in one.plan.signals):
                 own = one.plan.commands or ((one.plan.joint,) if len(one.plan.ports) == 1 else ())
                 if joint in own and one.plan.law.held:
-                    begin = first + one.controls
-                    places += range(begin + own.index(joint), begin + one.plan.law.held, one.plan.law.outputs)
+                    law, past = one.plan.law, getattr(one.plan.law.block, "remembered", 0)
+                    kept = [*range(law.held), *range(law.states - past, law.states)]
+                    places += [first + one.controls + k for k in kept[own.index(joint) :: law.outputs]]
             if places:
                 found.append((driver.coordinate, tuple(places)))
         return tuple(found)

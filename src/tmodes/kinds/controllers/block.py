@@ -108,6 +108,7 @@ class LinearPlant:
     order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C and D,
     whose values at rest are ``measured``; commands act ``delay`` [s] after their samples. ``added``: what is fed
     forward on top of each command, as (signal, factor) pairs for each drive; ``effort`` holds the rest beside it.
+    ``first``: where the setpoints of the drives begin.
     """
 
     states: tuple[str, ...]
@@ -123,6 +124,7 @@ class LinearPlant:
     delay: float = 0.0
     added: tuple[tuple[tuple[str, Any], ...], ...] = ()
     added_at_rest: tuple[Any, ...] = ()
+    first: tuple[float, ...] = ()
 
 
 class Block(Kind):
@@ -197,7 +199,10 @@ class Block(Kind):
         return 0.0
 
     def initial(self) -> tuple[float, ...]:
-        """Its own states at time 0; as many as there are rates, or updates."""
+        """Its own states at time 0; as many as there are rates, or updates.
+
+        Where it has an attribute ``remembered``, so many last ones are past commands, the newest of all outputs first.
+        """
         return ()
 
     @property

@@ -63,7 +63,7 @@ class LQG(WeightedLaw):
     )
     form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
     estimate: dict[str, Number] = weights_by_name(
-        "coordinate", "x_p", "first estimate, as deviation from the rest; others 0"
+        "coordinate", "x_p", "first estimate, as deviation from the first setpoints; others 0"
     )
 
     def _issues(self) -> Iterator[Issue]:
@@ -111,10 +111,15 @@ class LQG(WeightedLaw):
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:
-        """Those of an LQR, then y at rest, C, M, Ad, Bd row by row, and what counts with what is fed forward."""
-        d = self.design
-        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
-        return (*super().numbers(), *np.concatenate(rows))
+        """Those of an LQR, y at rest, C, M, Ad, Bd row by row, what counts with what is fed forward, the estimate."""
+        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(self.design)]
+        return (*super().numbers(), *np.concatenate(rows), *self._begun(self.design.plant))
+
+    def _begun(self, plant: LinearPlant) -> list[float]:
+        """The first estimate: what is given, about where the setpoints begin."""
+        still = Measured(setpoints=[[one, 0.0] for one in plant.first], drives=plant.drives)
+        far = diagonal(self.estimate, plant, "estimate")
+        return far if self.reference else [a + b for a, b in zip(far, self._moved(plant.rest, still), strict=True)]
 
     def _matrices(self, d: Design) -> list[Any]:
         """Where something is fed forward: its states' changes and outputs by it, its value at rest, its factors."""
@@ -135,16 +140,17 @@ class LQG(WeightedLaw):
         return found
 
     @property
-    def _remembered(self) -> int:
+    def remembered(self) -> int:
+        """At least the last commands, which are in force when it measures."""
         return max(self._kept, len(self.design.plant.drives))
 
     def initial(self) -> tuple[float, ...]:
-        """The estimate, and past commands less those at rest."""
-        return (*diagonal(self.estimate, self.design.plant, "estimate"), *super().initial())
+        """The estimate, and past commands."""
+        return (*self.numbers()[-len(self.design.plant.states) :], *super().initial())
 
     @property
     def states(self) -> tuple[OwnState, ...]:
-        """The estimate, and past commands less those at rest."""
+        """The estimate, and past commands."""
         return (*(OwnState(f"estimate.{name}") for name in self.design.plant.states), *super().states)
 
     def _fed(self, p: Any, m: Measured) -> list[Any]:
@@ -159,16 +165,17 @@ class LQG(WeightedLaw):
     def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate after the measurement."""
         before, (rest, C, M, _, _, *more) = x[: len(self.design.plant.states)], self._observing(p)
+        before += self._past(p, x)
         moved = self._moved(self._parts(p)[1], m) if self.reference else []
         fed, new = self._fed(p, m), []
         for k, name in enumerate(self.measured):
-            predicted = [c * value for c, value in zip(C[k], x, strict=False)]
+            predicted = [c * value for c, value in zip(C[k], before, strict=False)]
             predicted += [c * value for c, value in zip(C[k], moved, strict=False)]
             predicted += [d * value for d, value in zip(more[1][k], fed, strict=True)] if fed else []
             new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
         return [
             value + vectors.total([gain * each for gain, each in zip(row, new, strict=True)])
-            for value, row in zip(before, M, strict=True)
+            for value, row in zip(before, M, strict=False)
         ]
 
     def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
@@ -181,8 +188,8 @@ class LQG(WeightedLaw):
 
     def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate for the next sample, and the commands of this one."""
-        pushed, past = self._given(p, m, x), self._past(x)
-        after, (_, _, _, Ad, Bd, *more) = [*self._filtered(p, m, x), *past[: self._kept]], self._observing(p)
+        given, (_, _, _, Ad, Bd, *more) = self.command(p, m, x), self._observing(p)
+        pushed, after = self._less_rest(p, given), [*self._filtered(p, m, x), *self._past(p, x)[: self._kept]]
         fed = [] if self.reference else self._fed(p, m)
         pushes = [[*row, *(more[0][k] if fed else ())] for k, row in enumerate(Bd)]
         predicted = [
@@ -190,7 +197,7 @@ class LQG(WeightedLaw):
                            *(b * value for b, value in zip(push, [*pushed, *fed], strict=True))])
             for row, push in zip(Ad, pushes, strict=True)
         ]  # fmt: skip
-        return [*predicted, *[*pushed, *past][: self._remembered]]
+        return [*predicted, *[*given, *x[len(x) - self.remembered :]][: self.remembered]]
 
     @property
     def structure(self) -> str:

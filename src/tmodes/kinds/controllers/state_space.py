@@ -218,8 +218,7 @@ class _StateSpace(DesignedLaw):
 
     def numbers(self) -> tuple[float, ...]:
         """u_0, x at rest, K row by row."""
-        d = self.design
-        return (*d.plant.effort, *d.plant.rest, *np.asarray(d.K).ravel())
+        return (*self.design.plant.effort, *self.design.plant.rest, *np.asarray(self.design.K).ravel())
 
     def _parts(self, p: Any) -> tuple[Any, Any, Any]:
         """The numbers apart: u_0, rest, rows of K."""
@@ -238,7 +237,7 @@ class _StateSpace(DesignedLaw):
         """The commands for a deviation from the rest, and own states."""
         effort, rest, rows = self._parts(p)
         far = self._off(deviation, self._moved(rest, m))
-        more = [*x[: self._sums], *self._past(x)[: self._kept]]
+        more = [*x[: self._sums], *self._past(p, x)[: self._kept]]
         return [
             push - vectors.total([k * value for k, value in zip(row, [*far, *more], strict=True)])
             for push, row in zip(effort, rows, strict=True)
@@ -263,28 +262,29 @@ class _StateSpace(DesignedLaw):
         return np.shape(self.design.K)[1] - len(self.design.plant.states) - self._sums
 
     @property
-    def _remembered(self) -> int:
+    def remembered(self) -> int:
         """How many past commands are the last ones of its states."""
         return self._kept
 
-    def _past(self, x: list[Any]) -> list[Any]:
+    def _past(self, p: Any, x: list[Any]) -> list[Any]:
         """The past commands less those at rest, the last ones first."""
-        return x[len(x) - self._remembered :]
+        return self._less_rest(p, x[len(x) - self.remembered :])
 
-    def _given(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """The commands less those at rest."""
-        return [u - each for u, each in zip(self.command(p, m, x), self._parts(p)[0], strict=True)]
+    def _less_rest(self, p: Any, commands: list[Any]) -> list[Any]:
+        """Commands, of all drives or several times these, less those at rest."""
+        return [u - p[k % len(self.design.plant.drives)] for k, u in enumerate(commands)]
 
     def initial(self) -> tuple[float, ...]:
-        """The integrals, and past commands less those at rest."""
-        return (0.0,) * (self._sums + self._remembered)
+        """The integrals, and past commands: until a run sets those to what holds the motors, those at rest."""
+        drives = len(self.design.plant.drives)
+        return (0.0,) * self._sums + self.numbers()[:drives] * (self.remembered // drives)
 
     @property
     def states(self) -> tuple[OwnState, ...]:
         """The integrals of the drives' errors, and past commands."""
         drives = self.design.plant.drives
         integrals = [OwnState(f"{joint}.integral", "rad*s|m*s") for joint in drives[: self._sums]]
-        ages = [f".last{k}" if k > 1 else ".last" for k in range(1, 1 + self._remembered // len(drives))]
+        ages = [f".last{k}" if k > 1 else ".last" for k in range(1, 1 + self.remembered // len(drives))]
         return (*integrals, *(OwnState(f"{joint}{age}") for age in ages for joint in drives))
 
     def command(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
@@ -300,14 +300,14 @@ class _StateSpace(DesignedLaw):
         """The integrals after a sample, and the commands."""
         errors = self._errors(m)[: self._sums]
         sums = [value + (self.sample_time or 0.0) * rate for value, rate in zip(x, errors, strict=False)]
-        return [*sums, *([*self._given(p, m, x), *self._past(x)][: self._remembered] if self._remembered else [])]
+        given = self.command(p, m, x) if self.remembered else []
+        return [*sums, *[*given, *x[len(x) - self.remembered :]][: self.remembered]]
 
     @property
     def structure(self) -> str:
         """The names of its states are part of the code."""
-        d = self.design
-        sizes = f"{self._sums} {self._remembered} {self._kept} {self.sample_time}"
-        return f"{super().structure} {d.plant.states} {d.plant.drives} {sizes}"
+        sizes = f"{self._sums} {self.remembered} {self._kept} {self.sample_time}"
+        return f"{super().structure} {self.design.plant.states} {self.design.plant.drives} {sizes}"
 
 
 def _place(plant: LinearPlant, joint: str) -> int:
@@ -337,8 +337,7 @@ class WeightedLaw(_StateSpace):
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         Q = diagonal(self.state_weights, plant, "state_weights")
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
-        R = self.effort_weight * np.eye(B.shape[1])
-        sampled = self.sample_time is not None
+        R, sampled = self.effort_weight * np.eye(B.shape[1]), self.sample_time is not None
         return riccati(A, B, Q, R, sampled=sampled, why=lambda: unreached(plant), which="state_weights")[0]
 
 

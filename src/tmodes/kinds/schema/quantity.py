@@ -20,7 +20,7 @@ from tmodes.kinds.noted.number import Noted
 
 __all__ = [
     "LARGEST", "SMALLEST", "DataSheet", "Issue", "any_sign", "dissipation", "not_negative", "plain_texts",
-    "positive", "quantity", "refuse", "span_info",
+    "positive", "quantity", "refuse", "span_info", "too_late",
 ]  # fmt: skip
 
 LARGEST = 1e12
@@ -43,16 +43,26 @@ class Issue(NamedTuple):
     hint: str
 
 
-_STEERING = ("Cc", "Cf", "Cs", "Co")
-"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
+def too_late(delay: float, period: float | None, most: int = 500) -> Iterator[Issue]:
+    """A ``delay`` [s] of more samples than may wait: each of them is a state."""
+    if period is not None and delay > most * period:
+        yield Issue(
+            "delay", f"{delay:g} s, {delay / period:.0f} samples", f"at most {most * period:g} s: {most} samples",
+            "shorten it, or sample less often",
+        )  # fmt: skip
+
+
+_STEERING = ("Cc", "Cf", "Cs", "Co", "Zl", "Zp")
+"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private, ends."""
 
 
 def plain_texts(texts: Mapping[str, str]) -> list[Issue]:
-    """Texts by path go to terminals and pages: those with letters that steer them are refused."""
+    """Texts by path go to terminals and pages: those with letters that steer them are refused, and names of lines."""
     return [
         Issue(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
         for path, text in texts.items()
-        if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
+        for allowed in ["" if path.endswith(("name", "child")) else "\n"]
+        if any(unicodedata.category(letter) in _STEERING and letter != allowed for letter in text)
     ]
 
 

@@ -28,7 +28,7 @@ from typing import Any, ClassVar
 from pydantic import Field
 
 from tmodes.kinds.controllers.block import Block, Measured, Port
-from tmodes.kinds.schema.quantity import Issue, any_sign, not_negative, positive
+from tmodes.kinds.schema.quantity import Issue, any_sign, not_negative, positive, too_late
 
 __all__ = ["NOISE", "SENSORS", "Port", "Sensor", "rounded"]
 
@@ -73,6 +73,7 @@ class Sensor(Block, family="sensor", key="type"):
             if getattr(self, name) and self.sample_time is None:
                 hint = "add `sample_time: 0.001`"
                 yield Issue("sample_time", "nothing", f"a sample time, because `{name}` is given", hint)
+        yield from too_late(self.delay, self.sample_time)
 
     @property
     def noises(self) -> tuple[str, ...]:

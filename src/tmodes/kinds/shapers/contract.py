@@ -24,7 +24,7 @@ from pydantic import Field
 
 from tmodes.kinds.noted.functions import array, exp, sqrt
 from tmodes.kinds.schema.kind import Kind
-from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, Issue
+from tmodes.kinds.schema.quantity import LARGEST, Issue
 
 __all__ = ["SHAPERS", "Impulses", "Shaper", "decay", "residual"]
 
@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 
 MOST_MODES = 4
 MOST_DAMPING = 0.9
-_Frequency = Annotated[float, Field(gt=0.0, ge=SMALLEST, le=LARGEST)]
+_Frequency = Annotated[float, Field(ge=1e-3, le=LARGEST)]  # below it a motion becomes longer by minutes
 _Damping = Annotated[float, Field(ge=0.0, le=MOST_DAMPING)]
 
 
