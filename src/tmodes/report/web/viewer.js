@@ -1,4 +1,4 @@
-/* tmodes, built from 37b65967b81e1963; BSD-3-Clause */
+/* tmodes, built from 489d09aa3b11bbcf; BSD-3-Clause */
 /* three
 The MIT License
 

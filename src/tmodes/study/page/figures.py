@@ -62,7 +62,7 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
     Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
     rows, info, data = designs_data(found, study)
-    lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
+    lead = f"{found.designs:,} designs tried, {found.feasible:,} {_good(found)}; by {found.method}"
     provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
                   ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
     with atomic_write(path) as temporary:
@@ -77,10 +77,9 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
 def designs_data(found: Optimum, study: Study) -> tuple[Rows, dict[str, ColumnInfo], dict[str, Any]]:
     """All designs as rows, the words of their columns, and what a page or a figure shows of them."""
     rows, labels = _rows(found), {name: study.choice_names(name) for name in study.names}
-    units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
-    info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
-        name: ColumnInfo("", rows.units[name]) for name in rows.quantities
-    }
+    units = study.parameter_units
+    info = {name: ColumnInfo(found.title(name), units[name], labels[name]) for name in rows.parameters if name in units
+           } | {name: ColumnInfo(found.title(name), rows.units[name]) for name in rows.quantities}  # fmt: skip
     best = found.best or found.nearest
     x, y = _axes(found, best, [*rows.parameters])
     designs = {
@@ -91,7 +90,12 @@ def designs_data(found: Optimum, study: Study) -> tuple[Rows, dict[str, ColumnIn
     }  # fmt: skip
     least = found.objectives[0].startswith("minimize")
     data = page_data(found.name, rows, info, no_report=_NO_REPORT, least_first=least, drawn=False, designs=designs)
-    return rows, info, data | {"words": ["within all limits" if word == GOOD[0] else word for word in data["words"]]}
+    return rows, info, data | {"words": [_good(found) if word == GOOD[0] else word for word in data["words"]]}
+
+
+def _good(found: Optimum) -> str:
+    """How a design ended that none of the limits rules out, if there are any."""
+    return "within all limits" if found.trials and found.trials.goals.limits else GOOD[0]
 
 
 def _against_start(found: Optimum) -> Markup | None:
@@ -100,14 +104,14 @@ def _against_start(found: Optimum) -> Markup | None:
     if one is None:
         return None
     head, before = chosen_values(found, one), chosen_values(found, start) if start else {}
-    rows = [[name, before.get(name, "–"), text, ""] for name, text in head.items()]
+    rows = [[found.title(name), before.get(name, "–"), text, ""] for name, text in head.items()]
     own, other = _numbers(found, one), _numbers(found, start) if start else {}
     for name, value in own.items():
-        first, unit = other.get(name, np.nan), found.units.get(name, "-")
-        known = np.isfinite(first) and np.isfinite(value)
+        both, unit = (other.get(name, np.nan), value), found.units.get(name, "-")
+        shown = [amount(each, unit) if np.isfinite(each) else "–" for each in both]
         limits = ", ".join(_shown(limit.text) for limit in one.limits if limit.term == name)
-        rows.append([f"{name}{f' ({limits})' if limits else ''}", amount(first, unit) if np.isfinite(first) else "–",
-                     amount(value, unit), changed_by(value, first) if known else ""])  # fmt: skip
+        rows.append([f"{found.title(name)}{f' ({limits})' if limits else ''}", *shown,
+                     changed_by(value, both[0]) if np.isfinite(both).all() else ""])  # fmt: skip
     what = f"design by {_aim(found.objectives[0])}" if found.front else "design"
     title = f"{'Best' if found.best else 'Nearest'} {what} against the start"
     return table(title, ("Number", "Start", design_name(one), "Change"), rows, numeric=(1, 2, 3))
