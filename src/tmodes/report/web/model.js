@@ -1,4 +1,4 @@
-/* tmodes, built from 489d09aa3b11bbcf; BSD-3-Clause */
+/* tmodes, built from bb100c1cadf1358c; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
