@@ -313,8 +313,8 @@ class LinearModel(Linearization):
         try:
             import control  # pyright: ignore[reportMissingImports]
         except ImportError as error:
-            hint = "pip install control"
-            raise InputError("to_control", "no python-control here", "that package", hint) from error
+            which, hint = "the package python-control", "pip install control"
+            raise InputError(which, "nothing", "for to_control()", hint) from error
         names = {"states": list(self.states), "inputs": list(self.inputs), "outputs": list(self.outputs)}
         plain = {key: [one.replace(".", "_") for one in value] for key, value in names.items()}
         return control.ss(self.A, self.B, self.C, self.D, self.period or 0, **plain)
@@ -374,10 +374,9 @@ class LinearModel(Linearization):
             yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", words.SAMPLED_ZEROS if self.period else words.ZEROS, list(words.zero_rows(self)))
-        yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
-        units = [s.units.get(name, "") for name in s.outputs]
-        rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]
-        yield Table("outputs", ["name", "unit", "value there"], rows)
+        for title, names, values in (("inputs", s.inputs, s.u0), ("outputs", s.outputs, s.y0)):
+            rows = [[n, s.units.get(n, ""), f"{v:.5g}"] for n, v in zip(names, values, strict=True)]
+            yield Table(title, ["name", "unit", "value there"], rows)
 
     def step_response(self, duration: float | None = None) -> DataArray:
         """Outputs after a step of 1 of each input, by ``time`` [s], ``output`` and ``input``; exact at its times.

@@ -32,6 +32,9 @@ _GONE = 1e-6
 _OUTSIDE = 1e-7
 """Distance of a zero from the unit circle that is rounding."""
 
+_RINGS = 0.7
+"""Damping above which a mode does not ring: its step response passes its end by less than 5 %."""
+
 _MODES = 3
 """Modes that a sentence names."""
 
@@ -131,7 +134,7 @@ def sentence(found: Any) -> str:
     rates = _rates(found)
     grows = [(rate, state) for rate, state in rates if rate.real > _NULL * abs(rate)]
     said = [f"{kind} {stability(found)}{_growing(*max(grows, key=lambda one: one[0].real)) if grows else ''}"]
-    rings = [one for one in rates if one[0].imag > 0 >= one[0].real - _NULL * abs(one[0])]
+    rings = [one for one in rates if one[0].imag > 0 and -_RINGS <= one[0].real / abs(one[0]) <= _NULL]
     if rings:
         more = f" and {len(rings) - _MODES} more" if len(rings) > _MODES else ""
         said.append(f"it rings at {', '.join(_ringing(*one) for one in rings[:_MODES])}{more}")
