@@ -5,15 +5,17 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
+from pydantic import Field
 from scipy.optimize import minimize_scalar
 
 import tmodes
 from command import tmodes as command
 from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.study.page.figures import designs_data
 
 KP, KV = "drives.0.controller.position_gain", "drives.0.controller.velocity_gain"
@@ -168,6 +170,40 @@ def test_what_is_wrong_is_said(given: dict[str, Any], words: str) -> None:
 def test_a_robot_without_gains() -> None:
     with pytest.raises(InputError, match="no law with gains"):
         spong(**{"drives.0.command": "prescribed", "drives.0.controller": None}).tune()
+
+
+class Plain(Controller):
+    """A law of a user, whose numbers are plain fields."""
+
+    type: Literal["plain"] = Field(description="kind of controller")
+    kp: float = Field(gt=0, strict=False, description="gain")
+    rates_of: tuple[float, float] = Field(strict=False, description="gains of the rate and of the wanted one")
+
+    def numbers(self) -> tuple[float, ...]:
+        return self.kp, *self.rates_of
+
+    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:  # noqa: ARG002
+        return p[0] * (m.wanted - m.position) + p[2] * m.wanted_rate - p[1] * m.velocity
+
+
+def test_plain_numbers_of_a_law_of_a_user() -> None:
+    CONTROLLERS.register(Plain)
+    try:
+        robot = spong(**{"drives.0.controller": {"type": "plain", "kp": 80.0, "rates_of": [12.0, 12.0]}})
+        with pytest.raises(InputError) as caught:
+            robot.tune()
+        assert caught.value.which == "gains"
+        assert "tuned" in caught.value.hint
+        asked = ["drives.0.controller.kp", "drives.0.controller.rates_of.0"]
+        found = robot.tune(asked, within=2.0, trials=4)
+        own = spong().tune([KP, KV], within=2.0, trials=4)  # the same law
+        assert [one.path for one in found.gains] == asked
+        assert [one.unit for one in found.gains] == ["-", "-"]
+        assert found.before == pytest.approx(own.before, rel=0.2)
+        assert error_of(found.robot) == pytest.approx(found.after[0], rel=1e-6)
+        assert found.after[0] < found.before[0]
+    finally:
+        CONTROLLERS.unregister("plain")
 
 
 @pytest.mark.nightly

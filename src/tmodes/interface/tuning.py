@@ -164,8 +164,8 @@ def _ranges(robot: Robot, gains: Gains, within: float) -> dict[str, Gain]:
         name = re.sub(r"\W+", "_", own.removeprefix("drives.").removeprefix("control."))
         found[f"gain_{len(found)}_{name}"] = Gain(own, target.unit, now, now, low, high)
     if not found:
-        hint = "name numbers of the sheet: robot.tune(['drives.0.controller.position_gain'])"
-        raise InputError("gains", "no law with gains", "gains to be tuned", hint)
+        hint = "write them, such as `drives.0.controller.kp`; the class of a law of your own names its gains as `tuned`"
+        raise InputError("gains", "none, and no law with gains of its own", "paths of numbers", hint)
     return found
 
 
