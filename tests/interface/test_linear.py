@@ -468,7 +468,8 @@ def test_a_family_of_uncertain_robots() -> None:
     again = tmodes.load("spong1987").linearize(**ask, cases=5, seed=3)
     assert np.array_equal(linear.family_response([1.0]), again.family_response([1.0]))
     gain, _ = linear.plot()
-    assert len(gain.collections) == 1
+    (band,) = gain.collections
+    assert band in gain.get_legend_handles_labels()[0]
 
 
 @pytest.mark.parametrize(("chart", "label"), [("nyquist", "imaginary part"), ("step", "after a step of 1")])
@@ -478,6 +479,18 @@ def test_further_charts(chart: str, label: str) -> None:
     with pytest.raises(InputError) as caught:
         sagged().plot(chart="nichols")
     assert caught.value.which == "chart"
+
+
+def test_a_nyquist_diagram_has_no_corners() -> None:
+    """Parts of the curve that are seen are short; its mirror image is in the legend."""
+    linear = joint().linearize(at={"joint.motor": SAGGED}, inputs="joint.torque", outputs="joint.motor.position")
+    (panel,) = linear.plot(chart="nyquist")
+    curve, mirror = (np.asarray(one.get_xydata()) for one in panel.lines[:2])
+    reach = panel.get_xlim()[1]
+    seen = (np.abs(curve) < reach).all(axis=1)
+    assert np.hypot(*np.diff(curve, axis=0).T)[seen[1:] | seen[:-1]].max() < 0.021 * reach
+    assert mirror == pytest.approx(curve * [1, -1])
+    assert panel.lines[1] in panel.get_legend_handles_labels()[0]
 
 
 def test_the_phase_of_a_family_has_no_jumps_of_whole_turns() -> None:

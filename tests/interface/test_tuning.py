@@ -182,7 +182,7 @@ class Plain(Controller):
     def numbers(self) -> tuple[float, ...]:
         return self.kp, *self.rates_of
 
-    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:  # noqa: ARG002
+    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
         return p[0] * (m.wanted - m.position) + p[2] * m.wanted_rate - p[1] * m.velocity
 
 

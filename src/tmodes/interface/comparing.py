@@ -282,8 +282,8 @@ class Comparison(CommandResult):
         """Why runs failed, and what the numbers are."""
         said = [f"{one.name}: {one.reason}" for one in self.ranked if one.reason]
         said.append(
-            "at end, rings (amplitude after the move), at rest: of the nominal run; effort: the largest of all runs and "
-            "drives, as a share of the limit of its joint or drive"
+            "at end, rings (amplitude after the move), at rest: of the nominal run; effort: the largest of all, as a "
+            "share of the effort limit of its joint or drive"
         )
         if self.uncertain and self.certain:
             said.append(

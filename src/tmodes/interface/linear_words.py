@@ -50,12 +50,11 @@ def stability(found: Any) -> str:
 def heading(found: Any) -> str:
     """Its size, its loop, about what it is, whether it is stable."""
     s = found.system
-    kind = "under its controllers" if found.closed else "open loop"
-    sampled = f", sampled every {s.period:g} s" if s.period else ""
-    size = (
-        f"{count_of(len(s.states), 'state')}, {count_of(len(s.inputs), 'input')}, {count_of(len(s.outputs), 'output')}"
-    )
-    return f"{found.name}: {size}, {kind}{sampled}, {found.where}: {stability(found)}"
+    parts = [count_of(len(names), word) for word, names in (("state", s.states), ("input", s.inputs),
+                                                            ("output", s.outputs))]  # fmt: skip
+    parts += ["under its controllers" if found.closed else "open loop"]
+    parts += [f"sampled every {s.period:g} s"] if s.period else []
+    return f"{found.name}: {', '.join([*parts, found.where])}: {stability(found)}"
 
 
 def _rates(found: Any) -> list[tuple[complex, str]]:
@@ -89,8 +88,9 @@ def loop_rows(found: Any) -> list[list[str]]:
     rows = []
     for name, loop in found.loops.items():
         own = loop.margins()
-        sizes = 20 * np.log10(own.gain), own.gain_frequency, degrees(own.phase), own.phase_frequency, 1e3 * own.delay
-        shown = [f"{one:.4g}" if isfinite(one) else "-" for one in sizes]
+        shown = [f"{one:.4g}" if isfinite(one) else "-" for one in (
+            20 * np.log10(own.gain), own.gain_frequency, degrees(own.phase), own.phase_frequency, 1e3 * own.delay
+        )]  # fmt: skip
         rows.append([name, *shown, f"{own.disk:.3g}", "stable" if own.stable else "unstable"])
     return rows
 

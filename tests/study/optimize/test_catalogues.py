@@ -48,8 +48,13 @@ def test_the_answer_is_a_sentence_against_the_start(tmp_path: Path) -> None:
     assert found.start.quantities["sag"][0] == pytest.approx(1e3 * own, rel=1e-6)
     mass = {one.number: one.objectives[0] for one in (found.best, found.start)}  # type: ignore[union-attr]
     best, start = mass.values()
-    assert f"A50x2: mass of the tube 0.7329 kg (×{best / start:.3g} against the start's {start:.4g} kg)" in found.sentence
-    assert "sag of the tip 0.8903 mm (at most 1.5 mm), first frequency 17.09 Hz (at least 14 Hz); 3 of 14 designs" in found.sentence
+    assert (
+        f"A50x2: mass of the tube 0.7329 kg (×{best / start:.3g} against the start's {start:.4g} kg)" in found.sentence
+    )
+    assert (
+        "sag of the tip 0.8903 mm (at most 1.5 mm), first frequency 17.09 Hz (at least 14 Hz); 3 of 14 designs"
+        in found.sentence
+    )
     assert found.info()["sentence"] == next(iter(found.tables())) == found.sentence
     page = write_designs(found, asked, tmp_path / "designs.html").read_text(encoding="utf-8")
     assert html.escape(found.sentence) in page.replace("\u00a0", " ")
