@@ -312,7 +312,7 @@ def test_a_response_is_exact_where_it_is_small() -> None:
     stiff, damp = (apart.T @ np.diag(one[::-1]) @ apart for one in (springs, dampers))
     A = np.block([[np.zeros((4, 4)), np.eye(4)], [-stiff / masses[:, None], -damp / masses[:, None]]])
     B, C = np.eye(8)[:, 7:] / masses[3], np.eye(8)[:1]
-    at = 1j * np.geomspace(1e2, 1e5, 30)
+    at = np.asarray(1j * np.geomspace(1e2, 1e5, 30), dtype=np.complex128)
     found = response(A, B, C, np.zeros((1, 1)))(at)[:, 0, 0]
     link = springs[::-1, None] + dampers[::-1, None] * at
     diagonal = masses[:, None] * at**2 + link + np.vstack([link[1:], 0 * link[:1]])
