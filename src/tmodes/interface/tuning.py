@@ -200,7 +200,7 @@ def _study(
     data = {
         "parameters": {name: parameter(one) for name, one in ranges.items()} | dict(family),
         "quantities": aim | {name: {"series": f"{joint}.effort", "reduce": "max_abs",
-                                       "title": f"largest {joint}.effort, of {limit:g} allowed"}
+                                       "title": f"largest {joint}.effort{'' if limits else f', of {limit:g} allowed'}"}
                                 for name, (joint, limit) in efforts},
         "optimize": asked | {"limits": [*limits]},
     }  # fmt: skip

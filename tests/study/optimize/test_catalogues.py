@@ -67,7 +67,7 @@ def test_a_page_has_every_design_with_the_limits_that_it_breaks(pair: Optimum) -
     assert len(data["case"]) == len(tubes) ** 2 == pair.designs
     for k, two in enumerate(itertools.product(tubes, tubes)):
         mass, sag, frequency = row_of_tubes([*two], [0.5, 0.4], [1.2, 1.5])
-        broken = [text for text, bad in (("sag <=", sag > SAG), ("f1 >=", frequency < FREQUENCY)) if bad]
+        broken = [text for text, bad in (("sag ≤", sag > SAG), ("f1 ≥", frequency < FREQUENCY)) if bad]
         assert rows.quantities["mass"][k] == pytest.approx(mass, rel=1e-9)
         assert rows.good[k] == (not broken)
         reasons = filter(None, data["reasons"].get(str(k), "").split("; "))
