@@ -1,4 +1,4 @@
-/* tmodes, built from bb100c1cadf1358c; BSD-3-Clause */
+/* tmodes, built from 4e8049afcb3d1bc8; BSD-3-Clause */
 /* three
 The MIT License
 
