@@ -7,6 +7,7 @@ its partial differential equation.
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from random_sheets import random_sheet
 from tmodes.analysis.margins import loop_margins, response, step_duration, step_values
 from tmodes.errors import InputError
 from tmodes.interface import linear_words
+from tmodes.io.printed import Table
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.plot.commands import bode_curves
@@ -483,7 +485,8 @@ def test_a_family_of_uncertain_robots() -> None:
     again = tmodes.load("spong1987").linearize(**ask, cases=5, seed=3)
     assert np.array_equal(linear.family_response([1.0]), again.family_response([1.0]))
     gain, _ = linear.plot()
-    assert len(gain.collections) == 1
+    (band,) = gain.collections
+    assert band in gain.get_legend_handles_labels()[0]
 
 
 @pytest.mark.parametrize(("chart", "label"), [("nyquist", "imaginary part"), ("step", "after a step of 1")])
@@ -493,6 +496,18 @@ def test_further_charts(chart: str, label: str) -> None:
     with pytest.raises(InputError) as caught:
         sagged().plot(chart="nichols")
     assert caught.value.which == "chart"
+
+
+def test_a_nyquist_diagram_has_no_corners() -> None:
+    """Parts of the curve that are seen are short; its mirror image is in the legend."""
+    linear = joint().linearize(at={"joint.motor": SAGGED}, inputs="joint.torque", outputs="joint.motor.position")
+    (panel,) = linear.plot(chart="nyquist")
+    curve, mirror = (np.asarray(one.get_xydata()) for one in panel.lines[:2])
+    reach = panel.get_xlim()[1]
+    seen = (np.abs(curve) < reach).all(axis=1)
+    assert np.hypot(*np.diff(curve, axis=0).T)[seen[1:] | seen[:-1]].max() < 0.021 * reach
+    assert mirror == pytest.approx(curve * [1, -1])
+    assert panel.lines[1] in panel.get_legend_handles_labels()[0]
 
 
 def test_the_phase_of_a_family_has_no_jumps_of_whole_turns() -> None:
@@ -531,6 +546,43 @@ def test_its_answer_in_a_sentence() -> None:
     assert beam.endswith("non-minimum phase: hub.torque to tip.y.")
     up = joint().linearize(at={"joint.motor": np.pi}, inputs="joint.torque").sentence
     assert "unstable, it grows at " in up
+
+
+def test_what_is_damped_well_does_not_ring() -> None:
+    """A pair of poles at a damping of 0.75, and one at 0.65."""
+    linear = sagged(period=None)
+    damped = [np.array([[0.0, 1.0], [-100.0, -20.0 * share]]) for share in (0.75, 0.65)]
+    A = np.block([[damped[0], np.zeros((2, 2))], [np.zeros((2, 2)), damped[1]]])
+    said = replace(linear, made=lambda: replace(linear.system, A=A)).sentence
+    assert said.count(" Hz (damping") == 1
+    assert "damping 65 %" in said
+    alone = replace(linear.system, A=np.kron(np.eye(2), damped[0]))
+    assert "nothing rings" in replace(linear, made=lambda: alone).sentence
+
+
+def test_inputs_have_units_and_loops_the_value_there() -> None:
+    """The effort of a drive is its torque, which on a slide is a force; it holds 1 kg."""
+    slide = tmodes.load("spong1987").with_({"joints.0.type": "prismatic", "joints.0.axis": [0, 0, 1]})
+    linear = slide.linearize(inputs="joint.effort,tip.moment.x", outputs="joint.position")
+    assert linear.system.units == {"joint.effort": "N", "tip.moment.x": "N*m", "joint.position": "m"}
+    weight = linear.system.u0[0]
+    assert linear.B[:, [0]] == pytest.approx(slide.linearize(inputs="joint.torque").B)
+    closed = slide.linearize(closed=True, inputs="joint.setpoint,joint.setpoint_rate")
+    assert [closed.system.units[name] for name in closed.inputs] == ["m", "m/s"]
+    for changes in ({}, {"drives.0.sample_time": 0.002}):
+        loop = slide.with_(changes).linearize(closed=True).loop("joint").system
+        assert loop.units == {"joint.command": "N"}
+        assert [*loop.u0, *loop.y0] == pytest.approx([weight, weight], rel=1e-9)
+    assert {len(row) for table in linear.tables() if isinstance(table, Table) and table.title.endswith("puts")
+            for row in table.rows} == {3}  # fmt: skip
+
+
+def test_to_control_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "control", None)
+    with pytest.raises(InputError) as caught:
+        joint().linearize().to_control()
+    assert caught.value.hint == "pip install control"
+    assert "python-control" in caught.value.which
 
 
 def test_modes_are_named_by_the_state_that_takes_part() -> None:

@@ -64,6 +64,8 @@ def test_poses_along_the_motion() -> None:
     along = path.along[0].frequency
     assert along[[0, -1]] == pytest.approx(ends, rel=1e-6)
     assert path.shaper.frequencies[0] == pytest.approx((along.min() + along.max()) / 2)
+    assert all("…" not in repr(one) for one in (start, path))
+    assert all(f"{low:+.1%} to {high:+.1%}" in repr(one) for one in (start, path) for low, high in one.widths)
 
 
 @pytest.mark.parametrize("kind", ["zv", "zvd", "zvdd", "ei"])

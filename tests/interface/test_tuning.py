@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
+from pydantic import Field
 from scipy.optimize import minimize_scalar
 
 import tmodes
 from command import tmodes as command
 from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
+from tmodes.study.page.figures import designs_data
 
 KP, KV = "drives.0.controller.position_gain", "drives.0.controller.velocity_gain"
 QUICK = {"integration.duration": 1.5, "integration.error_estimate": False, "integration.model_error": False}
@@ -113,6 +117,23 @@ def test_what_has_no_slope_is_tuned_without() -> None:
     assert sampled.after[0] < sampled.before[0]
 
 
+def test_efforts_of_all_designs(tmp_path: Path) -> None:
+    """Gradients do not ask for them, the page shows them; what is not judged by limits is not said to keep any."""
+    found = spong(**{"joints.0.limits": {"effort": 500.0}}).tune([KV], within=2.0)
+    best, trials = found.optimum.best, found.optimum.trials
+    assert best
+    assert trials
+    assert found.optimum.method == "gradient"
+    assert np.isfinite(trials.values["effort_0"]).all()
+    peak = found.robot.with_({"real": {}}).run().reduce("joint.effort", "max_abs")
+    assert best.quantities["effort_0"][1] == pytest.approx(peak, rel=1e-6)
+    assert KV in found.optimum.sentence
+    assert {*designs_data(found.optimum, trials.study)[2]["words"]} == {"finished"}
+    text = found.page(tmp_path / "tuned.html").read_text(encoding="utf-8")
+    shown = re.sub(r"<(script|style).*?</\1>", "", text, flags=re.DOTALL)
+    assert not re.search(r"\bnan\b|gain_0|effort_0|within all limits", shown)
+
+
 def test_its_command(tmp_path: Path) -> None:
     out, figure, soft = tmp_path / "tuned.yaml", tmp_path / "tuned.svg", tmp_path / "soft.yaml"
     soft.write_text(json.dumps({"uncertain": {"k": SOFT}}), encoding="utf-8")
@@ -151,6 +172,40 @@ def test_a_robot_without_gains() -> None:
         spong(**{"drives.0.command": "prescribed", "drives.0.controller": None}).tune()
 
 
+class Plain(Controller):
+    """A law of a user, whose numbers are plain fields."""
+
+    type: Literal["plain"] = Field(description="kind of controller")
+    kp: float = Field(gt=0, strict=False, description="gain")
+    rates_of: tuple[float, float] = Field(strict=False, description="gains of the rate and of the wanted one")
+
+    def numbers(self) -> tuple[float, ...]:
+        return self.kp, *self.rates_of
+
+    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
+        return p[0] * (m.wanted - m.position) + p[2] * m.wanted_rate - p[1] * m.velocity
+
+
+def test_plain_numbers_of_a_law_of_a_user() -> None:
+    CONTROLLERS.register(Plain)
+    try:
+        robot = spong(**{"drives.0.controller": {"type": "plain", "kp": 80.0, "rates_of": [12.0, 12.0]}})
+        with pytest.raises(InputError) as caught:
+            robot.tune()
+        assert caught.value.which == "gains"
+        assert "tuned" in caught.value.hint
+        asked = ["drives.0.controller.kp", "drives.0.controller.rates_of.0"]
+        found = robot.tune(asked, within=2.0, trials=4)
+        own = spong().tune([KP, KV], within=2.0, trials=4)  # the same law
+        assert [one.path for one in found.gains] == asked
+        assert [one.unit for one in found.gains] == ["-", "-"]
+        assert found.before == pytest.approx(own.before, rel=0.2)
+        assert error_of(found.robot) == pytest.approx(found.after[0], rel=1e-6)
+        assert found.after[0] < found.before[0]
+    finally:
+        CONTROLLERS.unregister("plain")
+
+
 @pytest.mark.nightly
 def test_an_error_against_an_effort(tmp_path: Path) -> None:
     """No design of a grid of one's own is better in both by more than the curve is coarse; each is that of a run."""
@@ -176,7 +231,7 @@ def test_an_error_against_an_effort(tmp_path: Path) -> None:
     (axes,) = found.plot()
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("rms of joint.effort [N·m]", "rms of tip_error [m]")
     text = found.page(tmp_path / "tuned.html").read_text(encoding="utf-8")
-    assert "best compromises of rms_tip_error and rms_joint_effort" in text
+    assert "best compromises of rms of tip_error and rms of joint.effort" in text
 
 
 def test_one_objective_has_no_curve() -> None:

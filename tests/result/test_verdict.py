@@ -13,8 +13,10 @@ import pytest
 import tmodes
 from random_sheets import random_sheet
 from tmodes.cli.terminal import print_parts
+from tmodes.interface.summary import _uncertain
 from tmodes.io.printed import written
 from tmodes.report.data import page_data
+from tmodes.report.facts import Fact
 from tmodes.report.rest import rest_page
 from tmodes.result import Result
 from tmodes.result.assemble import ending
@@ -272,6 +274,14 @@ def test_a_number_that_is_not_exact_says_so(spong: Result, monkeypatch: pytest.M
     assert "±" not in repr(shown)
     monkeypatch.setattr(shown, "summary", lambda band=None: summary)
     assert "± 2 mm" in repr(shown)
+    summary["error"]["figures"] = {"tip_error.commanded.max_m": 0.5}
+    assert f"below {written(0.5 + summary['tip_error']['commanded']['max_m'], 'm', 2)}" in repr(shown)
+
+
+def test_a_number_and_its_error_have_one_unit() -> None:
+    summary: Any = {"error": {"figures": {"deviation.max_m": 2e-9}}, "model_error": None}
+    fact = Fact("deviation.max", "Error", 7.463e-8, "m")
+    assert [part.split()[1] for part in _uncertain(summary, fact, "74.63 nm").split(" ± ")] == ["nm", "nm"]
 
 
 def test_a_phrase_takes_the_first_alternative_that_is_known() -> None:

@@ -144,3 +144,28 @@ def test_the_league_shows_each_case(browser: Any, pages: Any) -> None:
         "Errors of all variants", "Share of the cases within an error", "Tip error over time, as known"
     ]  # fmt: skip
     page.context.close()
+
+
+SPOILT = """() => [...document.querySelectorAll('.study-area > svg')].map((svg) => {
+  const words = [...svg.querySelectorAll('.axes text:not(.name)')].map((one) => [one.textContent,
+    one.getBoundingClientRect()]);
+  const edge = svg.getBoundingClientRect().right;
+  const over = words.flatMap(([text, a], k) => words.slice(k + 1).filter(([, b]) => a.left < b.right &&
+    b.left < a.right && a.top < b.bottom && b.top < a.bottom).map(([other]) => `${text} over ${other}`));
+  return [words.map(([text]) => text), over.concat(words.filter(([, a]) => a.right > edge).map(([text]) => text))];
+})"""
+
+
+def test_words_of_axes_are_whole_and_apart(browser: Any, tmp_path: Path) -> None:
+    """Logarithmic to both sides an axis has its 0, and no words over others; the last ones are not cut."""
+    sizes = np.array([-7e4, -2.0, 0.0, 1.3, 9e3])
+    both = [Axis(name, "asinh", 0.7) for name in ("real", "imaginary")]
+    wide = Curve("", np.array([0.02, 1.1e5]), np.array([0.0, 1.0]))
+    plots = [Plot("Poles", both[0], both[1], [Curve("poles", sizes, sizes[::-1] / 20, "cross")], "", 380),
+             Plot("Gain", Axis("frequency [Hz]", "log", range=(0.02, 1.1e5)), Axis("gain"), [wide])]  # fmt: skip
+    page = opened(browser, write_plots(Page("t", "", "s", plots, []), tmp_path / "axes.html")).page
+    (texts, over), (last, cut) = page.evaluate(SPOILT)
+    assert texts.count("0") == 2
+    assert "100000" in last
+    assert (over, cut) == ([], [])
+    page.context.close()

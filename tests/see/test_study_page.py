@@ -196,7 +196,7 @@ def test_all_designs_are_points_with_the_limits_and_the_best_one(designs: Window
     assert page.evaluate(SPOTS, ".points.kept") == int(rows.good.sum())
     assert [one.text_content() for one in chart.locator(".limit + text").all()] == ["peak ≤ 15 mm", "end ≥ 0.05"]
     best = int(np.nanargmin(rows.quantities["peak"]))
-    assert chart.locator("text.name.best").text_content() == f"Design {best}: best peak"
+    assert chart.locator("text.name.best").text_content() == f"Design {best}: best largest deviation"
     assert chart.locator("text.name.start").text_content() == "start"
     place = chart.locator("circle").first.bounding_box()
     page.mouse.move(place["x"] + 4, place["y"] + 4)

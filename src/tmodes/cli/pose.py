@@ -45,7 +45,7 @@ def pose(
     Of the nominal robot, at rest under its weight and loads, in its contact. Branches within the limits come first,
     then stable ones, then those nearest to the first commands. Of a family, as with the tip on the axis of a joint, one
     branch and the joints that continue along it. Of a tip out of reach: the nearest pose, and its distance. Exit
-    code 3: it can not be held there, or only in a pose that is not stable.
+    code 3: it can not be held there, or only in poses that are not stable or beyond a limit.
     """
     from tmodes.interface.inverse import inverse
 

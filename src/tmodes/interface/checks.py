@@ -126,7 +126,8 @@ class Check(CommandResult):
         counts += [count_of(len(self.coordinates), "coordinate"), count_of(len(self.driven), "drive")]
         contact = "contact on" if robot.contact else "contact off" if robot.contact_off else "no contact"
         yield f"{robot.name}: valid ({', '.join([*counts, contact, f'equations: {robot.equations}'])})"
-        yield from (f"loop of drive {name}: {one.words}" for name, one in self.loops.items())
+        of = " of the actual robot" if robot.real else ""
+        yield from (f"loop of drive {name}{of}: {one.words}" for name, one in self.loops.items())
         yield from (f"note: {note}" for note in robot.held_notices)
         yield from (f"warning: {warning}" for warning in self.warnings)
 

@@ -281,7 +281,10 @@ class Comparison(CommandResult):
     def notices(self) -> list[str]:
         """Why runs failed, and what the numbers are."""
         said = [f"{one.name}: {one.reason}" for one in self.ranked if one.reason]
-        said.append("at end, rings (amplitude after the move), at rest: of the nominal run; effort: the largest of all")
+        said.append(
+            "at end, rings (amplitude after the move), at rest: of the nominal run; effort: the largest of all, as a "
+            "share of the effort limit of its joint or drive"
+        )
         if self.uncertain and self.certain:
             said.append(
                 "fails: did not end, or beyond the tolerance; in brackets where its share is, with 95 % confidence"

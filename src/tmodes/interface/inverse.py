@@ -123,8 +123,8 @@ class Inverse(CommandResult):
 
     @property
     def held(self) -> bool:
-        """Whether a branch holds the point and stays there, be it beyond a limit."""
-        return any(one.stable for one in self.branches)
+        """Whether a branch within the limits holds the point and stays there."""
+        return any(one.stable and not one.outside for one in self.branches)
 
     @property
     def warnings(self) -> list[str]:

@@ -300,24 +300,23 @@ class LinearModel(Linearization):
         how, left = balanced if method == "balanced" else modal, None
         system, left = (minimal(*all_of_it), None) if least else how(*all_of_it, order or 0, self.period)
         A, B, C, D = system
-        zero = np.zeros(len(A))
         names = tuple(f"{method}{k + 1}" for k in range(len(A)))
-        system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=zero, rate=zero)
+        system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=np.zeros(len(A)), rate=np.zeros(len(A)))
         error = None if left is None else largest_gain(*left, self.period)
-        words = "the same responses" if error is None else f"responses differ by {error:.3g} at most (largest gain, SI)"
-        words = f"Reduced from {len(self.A)} to {len(A)} states, {method}: {words}."
-        return replace(self, family=(), made=lambda: system, error=error, reduction=words)
+        lost = "the same responses" if error is None else f"responses differ by {error:.3g} at most (largest gain, SI)"
+        return replace(self, family=(), made=lambda: system, error=error,
+                       reduction=f"Reduced from {len(self.A)} to {len(A)} states, {method}: {lost}.")  # fmt: skip
 
     def to_control(self) -> Any:
         """The same as a ``StateSpace`` of python-control (``pip install control``)."""
         try:
             import control  # pyright: ignore[reportMissingImports]
         except ImportError as error:
-            hint = "pip install control"
-            raise InputError("to_control", "no python-control here", "that package", hint) from error
-        names = {"states": list(self.states), "inputs": list(self.inputs), "outputs": list(self.outputs)}
-        plain = {key: [one.replace(".", "_") for one in value] for key, value in names.items()}
-        return control.ss(self.A, self.B, self.C, self.D, self.period or 0, **plain)
+            raise InputError(
+                "the package python-control", "nothing", "for to_control()", "pip install control"
+            ) from error
+        names = {key: [one.replace(".", "_") for one in getattr(self, key)] for key in ("states", "inputs", "outputs")}
+        return control.ss(self.A, self.B, self.C, self.D, self.period or 0, **names)
 
     def to_scipy(self) -> Any:
         """The same as a ``StateSpace`` of SciPy's signal package."""
@@ -341,23 +340,15 @@ class LinearModel(Linearization):
     def info(self) -> dict[str, Any]:
         """Plain data; complex numbers as [real, imaginary]."""
         s = self.system
-        loops = {name: one.margins()._asdict() for name, one in self.loops.items()}
-        pairs = [[float(one.real), float(one.imag)] for one in self.poles]
-        more = {key: getattr(s, key).tolist() for key in ("A", "B", "C", "D", "x0", "u0", "y0", "rate")}
-        names = {"states": list(s.states), "inputs": list(s.inputs), "outputs": list(s.outputs)}
-        lost = {key: [[mode.pole.real, mode.pole.imag, mode.state] for mode in getattr(self, key)]
-                for key in ("uncontrollable", "unobservable")}  # fmt: skip
-        rest = {
-            "units": dict(s.units),
-            "period": s.period,
-            "closed": self.closed,
-            "poles": pairs,
-            "loops": loops,
-            "e_max": dict(self.e_max),
-            "reduction": self.reduction,
-            "error": self.error,
-        } | lost
-        return super().info() | names | more | rest
+        return super().info() | {key: list(getattr(s, key)) for key in ("states", "inputs", "outputs")} | {
+            key: getattr(s, key).tolist() for key in ("A", "B", "C", "D", "x0", "u0", "y0", "rate")
+        } | {
+            "units": dict(s.units), "period": s.period, "closed": self.closed,
+            "poles": [[float(one.real), float(one.imag)] for one in self.poles],
+            "loops": {name: one.margins()._asdict() for name, one in self.loops.items()},
+            "e_max": dict(self.e_max), "reduction": self.reduction, "error": self.error,
+        } | {key: [[mode.pole.real, mode.pole.imag, mode.state] for mode in getattr(self, key)]
+             for key in ("uncontrollable", "unobservable")}  # fmt: skip
 
     def tables(self) -> Iterator[str | Table]:
         """Poles with what they are, zeros of each input to each output, and the point."""
@@ -374,10 +365,9 @@ class LinearModel(Linearization):
             yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", words.SAMPLED_ZEROS if self.period else words.ZEROS, list(words.zero_rows(self)))
-        yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
-        units = [s.units.get(name, "") for name in s.outputs]
-        rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]
-        yield Table("outputs", ["name", "unit", "value there"], rows)
+        for title, names, values in (("inputs", s.inputs, s.u0), ("outputs", s.outputs, s.y0)):
+            rows = [[n, s.units.get(n, ""), f"{v:.5g}"] for n, v in zip(names, values, strict=True)]
+            yield Table(title, ["name", "unit", "value there"], rows)
 
     def step_response(self, duration: float | None = None) -> DataArray:
         """Outputs after a step of 1 of each input, by ``time`` [s], ``output`` and ``input``; exact at its times.

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import check_writable
@@ -19,6 +20,8 @@ __all__ = ["chart_of", "write_page"]
 
 _SPREAD = 30.0
 """Largest over smallest pole beyond which the map of poles is logarithmic."""
+_CHORD, _HALVED = 0.02, 6
+"""Longest part of a Nyquist diagram between two frequencies, over its size, and how often steps are halved for it."""
 _MOST_PAIRS = 12
 """Inputs times outputs of which a page shows the responses; of more the first ones."""
 
@@ -31,7 +34,7 @@ def chart_of(found: Any, chart: str, ax: Any) -> list[Any]:
         family = found.family_response() if found.family else None
         return commands.bode(found.frequency_response(), family=family, title=found.name, ax=ax)
     if chart == "nyquist":
-        return commands.nyquist(found.frequency_response(), title=found.name, ax=ax)
+        return commands.nyquist(found.frequency_response(_turning(found)), title=found.name, ax=ax)
     if chart != "step":
         hint = "tmodes linear FILE --chart nyquist"
         raise InputError("chart", f"`{chart}`", "bode, nyquist or step", hint)
@@ -39,6 +42,19 @@ def chart_of(found: Any, chart: str, ax: Any) -> list[Any]:
     lines = {f"{source} to {name} [{units.get(name, '')}]": (steps.time, steps.sel(input=source, output=name))
              for source in found.inputs for name in found.outputs}  # fmt: skip
     return commands.points(lines, "time [s]", "after a step of 1", title=found.name, ax=ax, line="-", marks=False)
+
+
+def _turning(found: Any) -> NDArray[np.float64]:
+    """Frequencies [Hz] (n,) at which a Nyquist diagram has no corners: more where it goes far from one to the next."""
+    from tmodes.plot.commands import nyquist_reach
+
+    at = found.frequencies()
+    for _ in range(_HALVED):
+        values = found.frequency_response(at).values.reshape(len(at), -1)
+        reach, _ = nyquist_reach(float(np.abs(values).max(initial=0.0)))
+        far, seen = np.abs(np.diff(values, axis=0)) > _CHORD * reach, np.abs(values) < 2 * reach
+        at = np.sort(np.append(at, np.sqrt(at[1:] * at[:-1])[(far & (seen[1:] | seen[:-1])).any(axis=1)]))
+    return at
 
 
 def write_page(found: Any, path: Path) -> Path:
@@ -49,10 +65,10 @@ def write_page(found: Any, path: Path) -> Path:
     about = [["robot", found.name], ["loop", "under its controllers" if found.closed else "open"],
              ["about", found.where], ["sampled", f"every {found.period:g} s" if found.period else "no"],
              ["uncertain robots", str(len(found.family))]]  # fmt: skip
-    level = "neutral" if found.is_stable or not found.closed else "warning"
     return write_plots(Page(
         f"{found.name}: linear model", str(heading).partition(": ")[2], found.sentence, [*_plots(found)],
-        [*parts, Table("states", ["name", "value there"], states)], level, found.warnings, found.notices, {},
+        [*parts, Table("states", ["name", "value there"], states)],
+        "neutral" if found.is_stable or not found.closed else "warning", found.warnings, found.notices, {},
         {f"{found.name}.json": json.dumps(found.info())}, about,
     ), path)  # fmt: skip
 
@@ -86,7 +102,7 @@ def _plots(found: Any) -> Iterator[Plot]:
                 bands.append(Curve(name, *area, "band", look["colour"]))
             curves.append(Curve(name, at, own[k], **look))
         yield Plot(title, rates, Axis(label), [*bands, *curves], " ".join(filter(None, (fewer, shaded))))
-    yield _nyquist(found, shown, [pair[0] for pair in pairs], looks)
+    yield _nyquist(found, found.frequency_response(_turning(found)), [pair[0] for pair in pairs], looks)
     steps, units = found.step_response(), found.system.units
     every = [(f"{source} to {name} [{pretty(units.get(name, ''))}]", steps.sel(input=source, output=name).values)
              for source in found.inputs for name in found.outputs]  # fmt: skip

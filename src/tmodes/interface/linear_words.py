@@ -32,6 +32,9 @@ _GONE = 1e-6
 _OUTSIDE = 1e-7
 """Distance of a zero from the unit circle that is rounding."""
 
+_RINGS = 0.7
+"""Damping above which a mode does not ring: its step response passes its end by less than 5 %."""
+
 _MODES = 3
 """Modes that a sentence names."""
 
@@ -47,12 +50,11 @@ def stability(found: Any) -> str:
 def heading(found: Any) -> str:
     """Its size, its loop, about what it is, whether it is stable."""
     s = found.system
-    kind = "under its controllers" if found.closed else "open loop"
-    sampled = f", sampled every {s.period:g} s" if s.period else ""
-    size = (
-        f"{count_of(len(s.states), 'state')}, {count_of(len(s.inputs), 'input')}, {count_of(len(s.outputs), 'output')}"
-    )
-    return f"{found.name}: {size}, {kind}{sampled}, {found.where}: {stability(found)}"
+    parts = [count_of(len(names), word) for word, names in (("state", s.states), ("input", s.inputs),
+                                                            ("output", s.outputs))]  # fmt: skip
+    parts += ["under its controllers" if found.closed else "open loop"]
+    parts += [f"sampled every {s.period:g} s"] if s.period else []
+    return f"{found.name}: {', '.join([*parts, found.where])}: {stability(found)}"
 
 
 def _rates(found: Any) -> list[tuple[complex, str]]:
@@ -86,8 +88,9 @@ def loop_rows(found: Any) -> list[list[str]]:
     rows = []
     for name, loop in found.loops.items():
         own = loop.margins()
-        sizes = 20 * np.log10(own.gain), own.gain_frequency, degrees(own.phase), own.phase_frequency, 1e3 * own.delay
-        shown = [f"{one:.4g}" if isfinite(one) else "-" for one in sizes]
+        shown = [f"{one:.4g}" if isfinite(one) else "-" for one in (
+            20 * np.log10(own.gain), own.gain_frequency, degrees(own.phase), own.phase_frequency, 1e3 * own.delay
+        )]  # fmt: skip
         rows.append([name, *shown, f"{own.disk:.3g}", "stable" if own.stable else "unstable"])
     return rows
 
@@ -131,7 +134,7 @@ def sentence(found: Any) -> str:
     rates = _rates(found)
     grows = [(rate, state) for rate, state in rates if rate.real > _NULL * abs(rate)]
     said = [f"{kind} {stability(found)}{_growing(*max(grows, key=lambda one: one[0].real)) if grows else ''}"]
-    rings = [one for one in rates if one[0].imag > 0 >= one[0].real - _NULL * abs(one[0])]
+    rings = [one for one in rates if one[0].imag > 0 and -_RINGS <= one[0].real / abs(one[0]) <= _NULL]
     if rings:
         more = f" and {len(rings) - _MODES} more" if len(rings) > _MODES else ""
         said.append(f"it rings at {', '.join(_ringing(*one) for one in rings[:_MODES])}{more}")

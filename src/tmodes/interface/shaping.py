@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from tmodes.errors import InputError
 from tmodes.interface.files import write_files
 from tmodes.io.arguments import checked_arguments
-from tmodes.io.printed import CommandResult, Table
+from tmodes.io.printed import CommandResult, Table, known_columns
 from tmodes.io.units import finite_number
 
 if TYPE_CHECKING:
@@ -295,12 +295,12 @@ class Shaping(CommandResult):
             span = f"{own.frequency.min():.4g} to {own.frequency.max():.4g}" if own and len(own.frequency) > 1 else "-"
             rows.append([str(self._numbers[k]), own.element if own else "given", f"{frequency:.4g}", f"{ratio:.4f}",
                          span, *(f"{100 * one:.1f}" for one in left), f"{low:+.1%} to {high:+.1%}"])  # fmt: skip
-        columns = ["mode", "dominant element", "natural [Hz]", "damping", "on the way [Hz]",
+        columns = ["mode", "element", "f [Hz]", "damping", "on the way",
                    *(f"{one:+.0%}" if one else "at it" for one in _DETUNED),
                    f"{self.allowed:.0%} from, to"]  # fmt: skip
         where = {"path": "on the way of the motion", "end": "at its end"}.get(self.where, "at its start")
-        yield Table(f"Vibration left [%] where a mode is off in frequency{', modes ' + where if self.along else ''}",
-                    columns, rows)  # fmt: skip
+        off = f"Vibration left [%] where a mode is off in frequency{', modes ' + where if self.along else ''}"
+        yield known_columns(off, columns, rows)
         impulses = [[f"{time:.6g}", f"{size:.6g}"] for time, size in zip(times, amplitudes, strict=True)]
         yield Table("Copies of the motion", ["after [s]", "share"], impulses)
 

@@ -95,7 +95,7 @@ def _first_numbers(result: Result, summary: dict[str, Any]) -> Table:
     for name in (name for name in _FIRST if name in facts):
         fact = facts[name]
         note = own.get(name) or fact.note.partition("; not looked at")[0].removesuffix(" of the run")
-        words = fact.name, f"{value_words(fact)}{_uncertain(summary, fact)}", note
+        words = fact.name, _uncertain(summary, fact, value_words(fact)), note
         rows.append([plain(text) for text in words])
     return Table(f"{result.name}: {result.status}", ["quantity", "value", "where"], rows)
 
@@ -123,17 +123,25 @@ def _short_notes(summary: dict[str, Any]) -> dict[str, str]:
     return notes
 
 
-def _uncertain(summary: dict[str, Any], fact: Fact) -> str:
-    """The error of a number, by integration and link models, where it shows in its first figures."""
-    path = _PATHS.get(fact.id)
-    if path is None:
-        return ""
+def _uncertain(summary: dict[str, Any], fact: Fact, words: str) -> str:
+    """A number with its error, by integration and link models, in one unit, where it shows in its first figures.
+
+    Of a number that is less than its error what it is below.
+    """
+    from tmodes.io.printed import written
+
+    path, value, unit = _PATHS.get(fact.id), abs(fact.value or 0.0), words.rpartition(" ")[2]
     found = max((summary[kind] or {}).get("figures", {}).get(path, 0.0) for kind in ("error", "model_error"))
-    return f" ± {1e3 * found:.2g} mm" if fact.value and found > _SHOWS * abs(fact.value) else ""
+    if found > value:
+        return f"below {written(value + found, 'm', 2)}"
+    return f"{words} ± {_METRES[unit] * found:.2g} {unit}" if found > _SHOWS * value else words
 
 
 _PATHS = {"tip_error.commanded": "tip_error.commanded.max_m", "deviation.max": "deviation.max_m"}
 """Where the errors of facts are."""
+
+_METRES = {"m": 1.0, "mm": 1e3, "µm": 1e6, "nm": 1e9}
+"""Units of what has an error, in a metre."""
 
 _SHOWS = 1e-3
 """Share of a number from which on its error is said with it."""

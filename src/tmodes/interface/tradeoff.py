@@ -80,16 +80,15 @@ def said(value: float, unit: str) -> str:
     return written(value, unit, 4).replace("\u00a0", " ")
 
 
-def in_all_cases(found: Optimum, best: Candidate | None, ends: bool = False) -> dict[str, NDArray[np.float64]]:
-    """Quantities (designs, cases) by name: gains of the sheet, the best ones, these with each alone at its ``ends``."""
+def in_all_cases(found: Optimum, best: Candidate) -> dict[str, NDArray[np.float64]]:
+    """Quantities (designs, cases) by name: gains of the sheet, the best ones, these with each alone at its ends."""
     import numpy as np
 
     trials = found.trials
     assert trials  # noqa: S101
-    assert best  # noqa: S101
     space, own = trials.space, np.array([*best.values.values()])
     designs = [trials.study.space.nominal[list(space.columns)], own]
-    for k in range(len(own) if ends else 0):
+    for k in range(len(own)):
         designs += [np.where(np.arange(len(own)) == k, end, own) for end in (space.low, space.high)]
     quantities = trials.study.evaluate(0, trials.cases_of(np.array(designs))).quantities
     return {name: one.reshape(len(designs), -1) for name, one in quantities.items()}

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from tmodes import Robot as UsersRobot
     from tmodes.sheet import Robot
     from tmodes.study.optimize import Optimum
+    from tmodes.study.optimize.result import Candidate
     from tmodes.study.study import Study
 
 __all__ = ["Gain", "Tuning", "tune"]
@@ -163,8 +164,8 @@ def _ranges(robot: Robot, gains: Gains, within: float) -> dict[str, Gain]:
         name = re.sub(r"\W+", "_", own.removeprefix("drives.").removeprefix("control."))
         found[f"gain_{len(found)}_{name}"] = Gain(own, target.unit, now, now, low, high)
     if not found:
-        hint = "name numbers of the sheet: robot.tune(['drives.0.controller.position_gain'])"
-        raise InputError("gains", "no law with gains", "gains to be tuned", hint)
+        hint = "write them, such as `drives.0.controller.kp`; the class of a law of your own names its gains as `tuned`"
+        raise InputError("gains", "none, and no law with gains of its own", "paths of numbers", hint)
     return found
 
 
@@ -198,8 +199,9 @@ def _study(
     }
     data = {
         "parameters": {name: parameter(one) for name, one in ranges.items()} | dict(family),
-        "quantities": aim | {name: {"series": f"{joint}.effort", "reduce": "max_abs"}
-                                   for name, (joint, _) in efforts},
+        "quantities": aim | {name: {"series": f"{joint}.effort", "reduce": "max_abs",
+                                       "title": f"largest {joint}.effort{'' if limits else f', of {limit:g} allowed'}"}
+                                for name, (joint, limit) in efforts},
         "optimize": asked | {"limits": [*limits]},
     }  # fmt: skip
     try:
@@ -239,7 +241,7 @@ def _searched(
             if method == "gradient":
                 raise
         else:
-            if method == "gradient" or not found.best or _keeps(robot, found):
+            if method == "gradient" or not found.best or _keeps(robot, found.best):
                 return found
     return optimize(study(limits), "cobyqa" if method == "auto" else method, **how)
 
@@ -258,10 +260,11 @@ def _curve(
     return optimize(study(limits), method, **how)
 
 
-def _keeps(robot: Robot, found: Optimum) -> bool:
-    """Whether the drives keep their limits with the best gains."""
-    every = in_all_cases(found, found.best or found.nearest)
-    return all((every[name][1] <= _LIMIT_PASSED * limit).all() for name, (_, limit) in effort_quantities(robot).items())
+def _keeps(robot: Robot, best: Candidate) -> bool:
+    """Whether the drives keep their limits with these gains."""
+    return all(
+        best.quantities[name][1] <= _LIMIT_PASSED * limit for name, (_, limit) in effort_quantities(robot).items()
+    )
 
 
 def _tuning(
@@ -270,7 +273,7 @@ def _tuning(
 ) -> Tuning:  # fmt: skip
     best, trials = weighed(optimum), optimum.trials
     assert trials  # noqa: S101
-    every = in_all_cases(optimum, best, ends=True)
+    every = in_all_cases(optimum, best)
     effects = dict(zip(ranges, effects_of([every[name] for name in words]), strict=True))
     gains = tuple(replace(one, after=best.values[name], effect=effects[name]) for name, one in ranges.items())
     before, after = ({name: one[k] for name, one in every.items()} for k in (0, 1))

@@ -32,7 +32,9 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
     member = chosen(place, value) or _with(place.members, step, value)
     if is_group(member):
         info = fields(member).get(str(step))
-        return ChainPlace(form_of_field(info, value), info, _unit_at(own_unit(info), steps, data)) if info else None
+        plain = "-" if info and float in (info.annotation, *get_args(info.annotation)) else None  # of a user's kind
+        unit = _unit_at(own_unit(info) or plain, steps, data) if info else None
+        return ChainPlace(form_of_field(info, value), info, unit) if info else None
     if get_origin(member) is tuple and isinstance(step, int):
         items = get_args(member)
         item = items[0] if Ellipsis in items else items[step] if 0 <= step < len(items) else None

@@ -165,11 +165,12 @@ def bode(response: Any, *, family: Any = None, title: str = "", ax: AxesLike = N
     with house_style():
         gain, phase = panels(ax, [["a"], ["b"]], 4.6)
         at = response.frequency.values
-        for label, look, own, ranges in bode_curves(response, family):
+        for k, (label, look, own, ranges) in enumerate(bode_curves(response, family)):
             gain.plot(at, own[0], label=label, **look)
             phase.plot(at, own[1], **look)
             for panel, ends in zip((gain, phase), ranges, strict=False):
-                panel.fill_between(at, *ends, color=look["color"], alpha=0.18, linewidth=0, zorder=1)
+                panel.fill_between(at, *ends, color=look["color"], alpha=0.35, linewidth=0, zorder=1,
+                                   label="" if k else "uncertain robots")  # fmt: skip
         for panel in (gain, phase):
             panel.set_xscale("log")
         gain.set(ylabel="gain [dB]", title=title)
@@ -193,9 +194,10 @@ def nyquist(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes
     with house_style():
         (panel,) = panels(ax, [["a"]], 4.0)
         largest = 0.0
-        for label, values, look in _pairs(response):
+        for k, (label, values, look) in enumerate(_pairs(response)):
             panel.plot(values.real, values.imag, label=label, **look)
-            panel.plot(values.real, -values.imag, color=look["color"], linewidth=0.5, linestyle=":")
+            panel.plot(values.real, -values.imag, color=look["color"], linewidth=0.8, linestyle=":",
+                       label="" if k else "negative frequencies")  # fmt: skip
             largest = max(largest, float(np.abs(values).max(initial=0.0)))
         reach, loops = nyquist_reach(largest)
         if loops:

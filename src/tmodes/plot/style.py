@@ -61,7 +61,7 @@ SERIES: tuple[tuple[float, ...], ...] = (
 """The same of curves that are compared, in their order."""
 
 
-CYCLE = ("blue", "red", "violet", "ochre", "sky", "green")
+CYCLE = ("blue", "red", "violet", "ochre", "green", "sky")
 """Names in :data:`PALETTE` that curves without a cause take, in their order."""
 
 
@@ -87,11 +87,11 @@ REFERENCE: dict[str, Any] = {"color": RED, "linestyle": (0, (4, 2)), "linewidth"
 COMPONENTS: tuple[dict[str, Any], ...] = (
     {"color": BLUE, "linestyle": "-", "linewidth": 1.1},
     {"color": RED, "linestyle": (0, (5, 1.5)), "linewidth": 1.1},
-    {"color": GREEN, "linestyle": (0, (5, 1.2, 1.2, 1.2)), "linewidth": 1.1},
-    {"color": VIOLET, "linestyle": (0, (1.5, 1.2)), "linewidth": 1.2},
-    {"color": OCHRE, "linestyle": (0, (7, 1, 1, 1, 1, 1)), "linewidth": 1.1},
+    {"color": VIOLET, "linestyle": (0, (5, 1.2, 1.2, 1.2)), "linewidth": 1.1},
+    {"color": OCHRE, "linestyle": (0, (1.5, 1.2)), "linewidth": 1.2},
+    {"color": GREEN, "linestyle": (0, (7, 1, 1, 1, 1, 1)), "linewidth": 1.1},
 )
-"""Curves that are compared, distinct in colour and in line style."""
+"""Curves that are compared, distinct in colour, in the order of :data:`CYCLE`, and in line style."""
 BAND = "#bcd9ea"
 """The inside of a range, a tint of blue."""
 

@@ -150,17 +150,19 @@ def _held(setup: RunSetup, state: Array, row: Array) -> StateSpace:
                 computed[k] = [*moved[place], *added[place]]
         on, _ = zero_order_hold(bare.A, bare.B, length)
         moved, added = on @ moved, on @ added
-    names = tuple(once)
+    names, seen = tuple(once), setup.model.outputs
+    volts = {one.joint: "voltage" for one in setup.planned.plan.drives if one.servo and one.servo.driven}
+    units = {name: seen.find(f"{name}.{volts.get(name, 'effort')}", "loop").unit for name in names}
     return replace(bare, inputs=names, outputs=names, A=moved, B=added, C=computed[:, :n], D=computed[:, n:],
-                   period=whole)  # fmt: skip
+                   y0=bare.x0[[*once.values()]], units=units, period=whole)  # fmt: skip
 
 
 def _opened(closed: StateSpace, k: int) -> StateSpace:
     """L where all of a command is what is added over 1 + L: its inverse, with the states of the open loop."""
-    name, none, passed = (f"{closed.inputs[k]}.command",), np.zeros(1), closed.D[k, k]
+    name, there, passed = (f"{closed.inputs[k]}.command",), closed.y0[[k]], closed.D[k, k]
     B, C = closed.B[:, [k]] / passed, closed.C[[k]]
-    return replace(closed, inputs=name, outputs=name, units={}, A=closed.A - B @ C, B=B, C=-C, D=np.zeros((1, 1)),
-                   u0=none, y0=none)  # fmt: skip
+    return replace(closed, inputs=name, outputs=name, units={name[0]: closed.units[closed.outputs[k]]},
+                   A=closed.A - B @ C, B=B, C=-C, D=np.zeros((1, 1)), u0=there, y0=there)  # fmt: skip
 
 
 def _newest(setup: RunSetup, driver: Driver) -> tuple[int, int]:

@@ -28,7 +28,7 @@ from tmodes.kinds.noted.number import follow_no
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.simulation.balance import Balance, frozen
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
-from tmodes.simulation.linear_inputs import columns, opened, with_loads
+from tmodes.simulation.linear_inputs import columns, input_unit, opened, with_loads
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 
@@ -139,7 +139,8 @@ class Instant:
             series = self.model.series(shown, 0, after=False, lean=False)
             C, D = self.slopes(series.schedule, "series", series.further)
             y = self.model.seen(shown, [self.row[0]], self.state, self.row, after=False)[0]
-        units = {name: one.unit for name, one in zip(outputs, shown, strict=True)}
+        units = {name: input_unit(name, table) for name in self.inputs}
+        units |= {name: one.unit for name, one in zip(outputs, shown, strict=True)}
         return StateSpace(
             self.names, self.inputs, tuple(outputs), units, by_state[self.kept], by_input[self.kept], C, D,
             self.state[self.kept], self.row[self.places], y, self.rates(),

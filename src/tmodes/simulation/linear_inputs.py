@@ -11,7 +11,7 @@ from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, DriveSheet, LoadFrame, LoadSheet
 from tmodes.simulation.plan import Planned, initial_value, loose_drive
 
-__all__ = ["all_inputs", "columns", "driven", "opened", "with_loads"]
+__all__ = ["all_inputs", "columns", "driven", "input_unit", "opened", "with_loads"]
 
 _LOADS = {"force": ("x", "y", "z"), "moment": ("x", "y", "z")}
 
@@ -79,15 +79,24 @@ def columns(
     known |= {name: 1 + plan.plan.loads[place].signal * width for name, place in loads.items()}
     found = []
     for name in inputs:
-        if name not in known:
+        own = name if name in known else name.replace(".effort", ".torque")
+        if own not in known:
             points = [f"{point}.force.x" for point in ("tip", *(one.name for one in robot.points[:2]))]
             hint = "add --closed for setpoints" if name.endswith(".setpoint") and not closed else "take one of these"
             every = (
                 f"one of {', '.join(dict.fromkeys([*known, *all_inputs(driven(robot, ()), closed=closed), *points]))}"
             )
             raise InputError("inputs", f"the unknown input `{name}`", every, hint)
-        found.append((name, known[name]))
+        found.append((name, known[own]))
     return found
+
+
+def input_unit(name: str, outputs: Any) -> str:
+    """The unit of an input, by the ``outputs`` of its model: a drive's that of its setpoint, which is its command."""
+    joint, _, kind = name.rpartition(".")
+    if f"{joint}.setpoint" in outputs:
+        return outputs.find(f"{joint}.setpoint", "inputs").unit + "/s" * (kind == "setpoint_rate")
+    return "N*m" if ".moment." in name else "N"
 
 
 def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, int]]:

@@ -322,3 +322,11 @@ def test_a_nearest_pose_is_found_far_from_the_turn(seed: int) -> None:
 def test_the_exit_code(tip: str, code: int) -> None:
     said = command("pose", "two_link_arm", "--tip", tip, "--json", code=code)
     assert json.loads(said.stdout)["reachable"] == (code == 0)
+
+
+def test_the_exit_code_beyond_all_limits() -> None:
+    """Branches are printed all the same."""
+    tight = ("--set", "joints.0.limits.upper=0.01", "--set", "joints.0.limits.lower=0.0")
+    said = json.loads(command("pose", "two_link_arm", *tight, "--tip", "0.7,0,0.3", "--json", code=3).stdout)
+    assert said["reachable"]
+    assert all(one["outside"] for one in said["branches"])

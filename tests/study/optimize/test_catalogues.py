@@ -48,8 +48,13 @@ def test_the_answer_is_a_sentence_against_the_start(tmp_path: Path) -> None:
     assert found.start.quantities["sag"][0] == pytest.approx(1e3 * own, rel=1e-6)
     mass = {one.number: one.objectives[0] for one in (found.best, found.start)}  # type: ignore[union-attr]
     best, start = mass.values()
-    assert f"tube A50x2: mass 0.7329 kg (×{best / start:.3g} against the start's {start:.4g} kg)" in found.sentence
-    assert "sag 0.8903 mm (at most 1.5 mm), f1 17.09 Hz (at least 14 Hz); 3 of 14 designs" in found.sentence
+    assert (
+        f"A50x2: mass of the tube 0.7329 kg (×{best / start:.3g} against the start's {start:.4g} kg)" in found.sentence
+    )
+    assert (
+        "sag of the tip 0.8903 mm (at most 1.5 mm), first frequency 17.09 Hz (at least 14 Hz); 3 of 14 designs"
+        in found.sentence
+    )
     assert found.info()["sentence"] == next(iter(found.tables())) == found.sentence
     page = write_designs(found, asked, tmp_path / "designs.html").read_text(encoding="utf-8")
     assert html.escape(found.sentence) in page.replace("\u00a0", " ")
@@ -62,7 +67,7 @@ def test_a_page_has_every_design_with_the_limits_that_it_breaks(pair: Optimum) -
     assert len(data["case"]) == len(tubes) ** 2 == pair.designs
     for k, two in enumerate(itertools.product(tubes, tubes)):
         mass, sag, frequency = row_of_tubes([*two], [0.5, 0.4], [1.2, 1.5])
-        broken = [text for text, bad in (("sag <=", sag > SAG), ("f1 >=", frequency < FREQUENCY)) if bad]
+        broken = [text for text, bad in (("sag ≤", sag > SAG), ("f1 ≥", frequency < FREQUENCY)) if bad]
         assert rows.quantities["mass"][k] == pytest.approx(mass, rel=1e-9)
         assert rows.good[k] == (not broken)
         reasons = filter(None, data["reasons"].get(str(k), "").split("; "))

@@ -5,6 +5,8 @@ import type { Axis } from "./contract";
 
 type Ends = [number, number];
 
+const APART = 30; // of the first tick from 0 where an axis is logarithmic to both sides [px]
+
 /** The scale of an axis that shows `values`, on the places between `ends` [px]. */
 export function axisScale(axis: Axis, values: number[], ends: Ends, count: number, most = Infinity): Scale {
   if (axis.names) return rows(axis.names, ends, most);
@@ -15,9 +17,10 @@ export function axisScale(axis: Axis, values: number[], ends: Ends, count: numbe
   const shown = axis.range ?? values.filter((value) => axis.scale !== "log" || value > 0);
   const [low, high] = rangeOf(shown.map(to));
   const even = scale(axis.range ? [to(axis.range[0]), to(axis.range[1])] : [low, high], ends, count);
+  const apart = (value: number) => axis.scale === "log" || !value || Math.abs(even.at(to(value)) - even.at(0)) > APART;
   return { min: from(even.min), max: from(even.max), at: (value) => even.at(to(value)),
     back: (place) => from(even.back(place)),
-    ticks: ticks(axis, [from(even.min), from(even.max)], count).map((value) => [value, plain(value)]) };
+    ticks: ticks(axis, [from(even.min), from(even.max)], count).filter(apart).map((value) => [value, plain(value)]) };
 }
 
 /** Powers of ten, of few decades 2 and 5 times these, too; of both signs and zero. */

@@ -128,8 +128,9 @@ function marks(root: SVGSVGElement, store: Store, designs: Designs, { box, x, y 
   const { [chosen.x]: left, [chosen.y]: top } = designs.start;
   if (left !== undefined && top !== undefined) named([x.at(left), y.at(top)], "start", "◇", "start");
   const best = designs.best === null ? null : at(designs.best);
+  const [{ title, name }] = store.page.quantities;
   if (best && designs.best !== null) named(best, "best", "★",
-    `${store.nameOf(designs.best)}${designs.front.length ? `: best ${store.page.quantities[0].name}` : ""}`);
+    `${store.nameOf(designs.best)}${designs.front.length ? `: best ${title || name}` : ""}`);
   const own = store.row === null ? null : at(store.row);
   if (own) root.append(svg("circle", { cx: own[0], cy: own[1], r: 8, class: "chosen" }));
 }
@@ -150,7 +151,9 @@ function legend(store: Store, designs: Designs): HTMLElement {
   const good = [...Array(store.size).keys()].filter((row) => store.isGood(row)).length;
   const counts: Record<string, number> = { points: good, beyond: store.size - good };
   const shown = LEGEND.filter(([, kind]) => there(kind));
+  const others: Record<string, string> = designs.limits.length ? {} : { points: "finished", beyond: "failed" };
   return make("p", { class: "note signs" }, ...shown.map(([shape, kind, text]) =>
     make("span", {}, make("span", { class: `sign ${kind}`, text: shape }),
-      make("span", { text: ` ${kind in counts ? `${counts[kind].toLocaleString("en")} ` : ""}${text}` }))));
+      make("span", { text: ` ${kind in counts ? `${counts[kind].toLocaleString("en")} ` : ""}${
+        others[kind] ?? text}` }))));
 }

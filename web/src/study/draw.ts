@@ -4,6 +4,7 @@ import { pretty } from "../format";
 import type { Scale } from "./scale";
 
 const SPACE = "http://www.w3.org/2000/svg";
+const EDGE = 13; // right of the axes, for the last number [px]
 type Given = Record<string, string | number | undefined>;
 
 /** An element of a vector graphic. */
@@ -77,7 +78,8 @@ export function axes(root: SVGSVGElement, box: Box, x: Scale | null, y: Scale | 
   for (const [value, word] of ticks) {
     const at = x?.at(value) ?? 0;
     group.append(svg("path", { d: `M${at} ${box.top}V${box.bottom}`, class: "grid" }),
-      svg("text", { x: at, y: box.bottom + 16, "text-anchor": "middle" }, word));
+      svg("text", { x: Math.min(at, box.right + EDGE - 3.6 * word.length), y: box.bottom + 16,
+        "text-anchor": "middle" }, word));
   }
   group.append(svg("path", { d: `M${box.left} ${box.top}V${box.bottom}H${box.right}`, class: "edge" }),
     svg("text", { x: (box.left + box.right) / 2, y: box.bottom + 33, "text-anchor": "middle", class: "name" },

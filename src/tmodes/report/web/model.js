@@ -1,4 +1,4 @@
-/* tmodes, built from 37b65967b81e1963; BSD-3-Clause */
+/* tmodes, built from 4e8049afcb3d1bc8; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

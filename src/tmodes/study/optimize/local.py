@@ -33,6 +33,7 @@ def by_gradient(
     stage = "runs with gradients" if simulated else "steps"
     ends = [_end(slopes, start, lambda steps: progress(stage, steps / MOST_STEPS)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
+    trials.complete()
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
 
 

@@ -120,6 +120,12 @@ class Optimum(CommandResult):
         """The best design in words, with its objective against the start, and its limits."""
         return _best_design(self)
 
+    def title(self, name: str) -> str:
+        """What a parameter or a quantity is called: its title, else its name."""
+        sheet = self.trials.study.sheet if self.trials else None
+        one = ({**sheet.parameters, **sheet.quantities} if sheet else {}).get(name)
+        return (one and one.title) or name
+
     def info(self) -> dict[str, Any]:
         """All as plain data."""
         one = {key: getattr(self, key) for key in ("name", "method", "exact", "designs", "feasible", "failed", "cases")}
@@ -251,23 +257,23 @@ def _best_design(found: Optimum) -> str:
         reason = next(filter(None, found.trials.reasons if found.trials else ()), "")
         return f"None of the {count_of(found.designs, 'design')} finished{reason and ': '}{reason.rstrip('.')}."
     values = chosen_values(found, one).items()
-    chosen = ", ".join(value if value.startswith(name) else f"{name} {value}" for name, value in values)
+    chosen = ", ".join(value if value.startswith(name) else f"{found.title(name)} {value}" for name, value in values)
     counts = f"{found.feasible:,} of {found.designs:,} designs keep all limits" if one.limits else ""
+    limits = ", ".join(_held(limit, found.title(limit.term)) for limit in one.limits)
     if found.best is None:
-        return f"No design keeps all limits; nearest is {chosen}: {', '.join(map(_held, one.limits))}."
+        return f"No design keeps all limits; nearest is {chosen}: {limits}."
     if found.front:
         aims = [text.partition(" ")[2] for text in found.objectives]
-        ends = (", ".join([design_name(each), *(f"{name} {amount(value, found.units.get(name, '-'))}"
+        ends = (", ".join([design_name(each), *(f"{found.title(name)} {amount(value, found.units.get(name, '-'))}"
                 for name, value in zip(aims, each.objectives, strict=True))])
                 for each in (found.front[0], found.front[-1]))  # fmt: skip
-        lead = f"{len(found.front):,} designs are the best compromises of {' and '.join(aims)}"
+        lead = f"{len(found.front):,} designs are the best compromises of {' and '.join(map(found.title, aims))}"
         return f"{lead}: from {' to '.join(ends)}{counts and '; '}{counts}."
     name, value = found.objectives[0].partition(" ")[2], one.objectives[0]
     start = found.start.objectives[0] if found.start else nan
     unit = found.units.get(name, "-")
     against = f" ({changed_by(value, start)} against the start's {amount(start, unit)})" if isfinite(start) else ""
-    limits = ", ".join(map(_held, one.limits))
-    parts = [f"Best design: {chosen}: {name} {amount(value, unit)}{against}", limits, counts]
+    parts = [f"Best design: {chosen}: {found.title(name)} {amount(value, unit)}{against}", limits, counts]
     return f"{'; '.join(filter(None, parts))}."
 
 
@@ -277,6 +283,6 @@ def chosen_values(found: Optimum, one: Candidate) -> Mapping[str, str]:
     return {name: one.choices.get(name) or amount(value, units.get(name, "-")) for name, value in one.values.items()}
 
 
-def _held(limit: Held) -> str:
+def _held(limit: Held, name: str) -> str:
     bound = f"at {'most' if limit.sign > 0 else 'least'} {amount(limit.bound, limit.unit)}"
-    return f"{limit.term} {amount(limit.value, limit.unit)} ({bound}{'' if limit.margin >= -ROUNDING else ', broken'})"
+    return f"{name} {amount(limit.value, limit.unit)} ({bound}{'' if limit.margin >= -ROUNDING else ', broken'})"

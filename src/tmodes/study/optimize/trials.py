@@ -112,6 +112,12 @@ class Trials:
         self.reasons.append(reason)
         self.designs = np.concatenate([self.designs, design[None]])
 
+    def complete(self) -> None:
+        """Compute the quantities that a search did not ask for, of all designs."""
+        missing = [name for name in self.study.sheet.quantities if np.isnan(self.values[name]).all()]
+        rows = self.study.evaluate(0, self.cases_of(self.designs), self._progress).quantities if missing else {}
+        self.values |= {name: rows[name].reshape(len(self), -1) for name in missing}
+
     def _compute(self, designs: Array) -> None:
         first, cases = self.cases, self.cases_of(designs)
         self.take(designs, self._rows(first, cases))

@@ -62,9 +62,10 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
     Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
     rows, info, data = designs_data(found, study)
-    lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
+    lead = f"{found.designs:,} designs tried, {found.feasible:,} {_good(found)}; by {found.method}"
+    aims = "; ".join(f"{one.partition(' ')[0]} {found.title(_aim(one))}" for one in found.objectives)
     provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
-                  ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
+                  ["objectives", aims], ["cases", f"{found.cases:,}"]]  # fmt: skip
     with atomic_write(path) as temporary:
         temporary.write_text(
             study_document(found.name, lead, rows, info, data, provenance, found.sentence, _against_start(found)),
@@ -77,21 +78,25 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
 def designs_data(found: Optimum, study: Study) -> tuple[Rows, dict[str, ColumnInfo], dict[str, Any]]:
     """All designs as rows, the words of their columns, and what a page or a figure shows of them."""
     rows, labels = _rows(found), {name: study.choice_names(name) for name in study.names}
-    units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
-    info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
-        name: ColumnInfo("", rows.units[name]) for name in rows.quantities
-    }
+    units = study.parameter_units
+    info = {name: ColumnInfo(found.title(name), units[name], labels[name]) for name in rows.parameters if name in units
+           } | {name: ColumnInfo(found.title(name), rows.units[name]) for name in rows.quantities}  # fmt: skip
     best = found.best or found.nearest
     x, y = _axes(found, best, [*rows.parameters])
     designs = {
         "x": x, "y": y, "front": [one.number for one in found.front], "best": best.number if best else -1,
         "start": _columns_of(found, found.start) if found.start else {},
-        "limits": [{"text": _shown(one.text), "column": one.term, "bound": one.bound, "sign": one.sign}
+        "limits": [{"text": _shown(found, one.text, one.term), "column": one.term, "bound": one.bound, "sign": one.sign}
                    for one in (best.limits if best else ())],
     }  # fmt: skip
     least = found.objectives[0].startswith("minimize")
     data = page_data(found.name, rows, info, no_report=_NO_REPORT, least_first=least, drawn=False, designs=designs)
-    return rows, info, data | {"words": ["within all limits" if word == GOOD[0] else word for word in data["words"]]}
+    return rows, info, data | {"words": [_good(found) if word == GOOD[0] else word for word in data["words"]]}
+
+
+def _good(found: Optimum) -> str:
+    """How a design ended that none of the limits rules out, if there are any."""
+    return "within all limits" if found.trials and found.trials.goals.limits else GOOD[0]
 
 
 def _against_start(found: Optimum) -> Markup | None:
@@ -100,21 +105,22 @@ def _against_start(found: Optimum) -> Markup | None:
     if one is None:
         return None
     head, before = chosen_values(found, one), chosen_values(found, start) if start else {}
-    rows = [[name, before.get(name, "–"), text, ""] for name, text in head.items()]
+    rows = [[found.title(name), before.get(name, "–"), text, ""] for name, text in head.items()]
     own, other = _numbers(found, one), _numbers(found, start) if start else {}
     for name, value in own.items():
-        first, unit = other.get(name, np.nan), found.units.get(name, "-")
-        known = np.isfinite(first) and np.isfinite(value)
-        limits = ", ".join(_shown(limit.text) for limit in one.limits if limit.term == name)
-        rows.append([f"{name}{f' ({limits})' if limits else ''}", amount(first, unit) if np.isfinite(first) else "–",
-                     amount(value, unit), changed_by(value, first) if known else ""])  # fmt: skip
-    what = f"design by {_aim(found.objectives[0])}" if found.front else "design"
+        both, unit = (other.get(name, np.nan), value), found.units.get(name, "-")
+        shown = [amount(each, unit) if np.isfinite(each) else "–" for each in both]
+        limits = ", ".join(_shown(found, limit.text, name).removeprefix(f"{found.title(name)} ")
+                           for limit in one.limits if limit.term == name)  # fmt: skip
+        rows.append([f"{found.title(name)}{f' ({limits})' if limits else ''}", *shown,
+                     changed_by(value, both[0]) if np.isfinite(both).all() else ""])  # fmt: skip
+    what = f"design by {found.title(_aim(found.objectives[0]))}" if found.front else "design"
     title = f"{'Best' if found.best else 'Nearest'} {what} against the start"
     return table(title, ("Number", "Start", design_name(one), "Change"), rows, numeric=(1, 2, 3))
 
 
-def _shown(limit: str) -> str:
-    return limit.replace("<=", "≤").replace(">=", "≥")
+def _shown(found: Optimum, limit: str, term: str) -> str:
+    return limit.replace(term, found.title(term), 1).replace("<=", "≤").replace(">=", "≥")
 
 
 def _numbers(found: Optimum, one: Candidate) -> dict[str, float]:
@@ -162,8 +168,8 @@ def _rows(found: Optimum) -> Rows:
     known = np.logical_and.reduce([np.isfinite(one) for one in (*aims.values(), *terms.values())])
     status = np.where(judged.feasible, GOOD[0], np.where(known, _BEYOND, "failed")).tolist()
     kept = [one.kept(judged.limits[:, k]) for k, one in enumerate(limits)]
-    texts = [[f"{one.text}: {amount(value, one.unit)}" for value in judged.limits[:, k].tolist()]
-             for k, one in enumerate(limits)]  # fmt: skip
+    texts = [[f"{_shown(found, one.text, one.term.text)}: {amount(value, one.unit)}" for value in values]
+             for one, values in zip(limits, judged.limits.T.tolist(), strict=True)]  # fmt: skip
     broken = ["; ".join(text[row] for text, good in zip(texts, kept, strict=True) if not good[row])
               for row in range(count)]  # fmt: skip
     reason = [why or limit for why, limit in zip(tried.reasons, broken, strict=True)]
