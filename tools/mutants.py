@@ -67,7 +67,7 @@ FAULTS = (
     ),
     Fault(
         "kinds/controllers/pid.py",
-        "f.if_else(command * error > 0, 0.0, error)",
+        "f.if_else(command * error > 0, (1 - self._held(command, limit)) * error, error)",
         "error",
         "tests/contracts/test_controllers.py",
     ),

@@ -484,6 +484,8 @@ def test_a_family_of_uncertain_robots() -> None:
     assert 100 * low <= min(stiff) < max(stiff) <= 100 * high
     again = tmodes.load("spong1987").linearize(**ask, cases=5, seed=3)
     assert np.array_equal(linear.family_response([1.0]), again.family_response([1.0]))
+    other = tmodes.load("spong1987", {"real": {"joints.0.gear.stiffness": 0.5}}).linearize(**ask, cases=5, seed=3)
+    assert np.array_equal(linear.family_response([1.0]), other.family_response([1.0]))  # what is drawn takes its place
     gain, _ = linear.plot()
     (band,) = gain.collections
     assert band in gain.get_legend_handles_labels()[0]

@@ -182,9 +182,9 @@ def uncertain_robots(robot: Robot, uncertain: Mapping[str, Any], cases: int, see
     from tmodes.study.mapping import groups_of
 
     study = uncertain_study(robot, Task({}, uncertain, {"seed": seed}, None), cases, None)
-    if study is None:
+    if study is None or study.robot is None:
         return
-    for group in groups_of(robot, study.names, study.targets, study.choices, study.design().values):
+    for group in groups_of(study.robot, study.names, study.targets, study.choices, study.design().values):
         if group.robot is None:
             raise InputError("uncertain", group.wrong, "numbers that a robot can have", "narrow the distributions")
         for k in range(len(group.places)):

@@ -90,7 +90,7 @@ def _values(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: An
     """A scalar or a list of numbers, with what it is; a long list one number in a line."""
     place = place_of(steps, data)
     quantity = place is not None and place.unit is not None
-    comment = f" # {place.extra['symbol']} [{place.unit}] {place.meaning}" if quantity and place else ""
+    comment = f" # {place.extra.get('symbol', steps[-1])} [{place.unit}] {place.meaning}" if quantity and place else ""
     if isinstance(value, list) and len(value) > 12:
         yield f"{key:<{COLUMN}}{comment}" if comment else key
         yield from (f"{indent}  - {_flow(item, quantity)}" for item in value)
