@@ -23,9 +23,7 @@ from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.gradients.lowering import lowered
 from tmodes.gradients.torque_functions import POLYNOMIALS, TorqueFunctions, torque_functions
-from tmodes.integrate.choice import EXPLICIT, explicit_steps
-from tmodes.integrate.implicit import EXTRAPOLATION
-from tmodes.integrate.registry import AUTO
+from tmodes.integrate.choice import explicit_steps
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, on_knots
 from tmodes.sheet import Robot
@@ -180,13 +178,8 @@ class _Runs:
             "check_error": False,
         }  # fmt: skip
         here = lowered(robot.model_copy(update={"integration": own.model_copy(update=update)}))
-        setup, explicit = here.setup, own.method == AUTO and here.settings.method == EXPLICIT
-        if (
-            explicit
-            and setup.implicit == EXTRAPOLATION.name
-            and explicit_steps(own, setup.spectrum.highest) > _EXPLICIT
-        ):
-            setup = setup.by(EXTRAPOLATION.name, None)
+        if here.otherwise and explicit_steps(own, here.setup.spectrum.highest) > _EXPLICIT:
+            setup = here.setup.by(here.otherwise.method, None)
             here = replace(here, setup=setup, settings=setup.robot.integration)
         self.here = here
         plan, schedule = self.here.setup.planned.plan, self.here.setup.planned.schedule
